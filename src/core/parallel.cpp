@@ -10,7 +10,9 @@
 
 namespace eigengrasp {
 
-int hardware_threads() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+int hardware_threads() {
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
 
 void parallel_for(std::size_t count, int n_threads, const std::function<void(std::size_t, int)>& work) {
   const auto wanted = static_cast<std::size_t>(n_threads > 0 ? n_threads : hardware_threads());

@@ -42,7 +42,8 @@ using Cell = std::array<std::int64_t, 3>;
 struct CellHash {
   std::size_t operator()(const Cell& c) const {
     std::uint64_t h = 0;
-    for (const std::int64_t k : c) h = (h ^ static_cast<std::uint64_t>(k)) * 0x9e3779b97f4a7c15ULL + (h >> 29);
+    for (const std::int64_t k : c)
+      h = (h ^ static_cast<std::uint64_t>(k)) * 0x9e3779b97f4a7c15ULL + (h >> 29);
     return static_cast<std::size_t>(h);
   }
 };
@@ -50,8 +51,7 @@ struct CellHash {
 /// Finds earlier vertices within a tolerance through cells of that size.
 class VertexMerger {
  public:
-  explicit VertexMerger(double tolerance)
-      : tolerance_(tolerance), inverse_(1.0 / tolerance) {}
+  explicit VertexMerger(double tolerance) : tolerance_(tolerance), inverse_(1.0 / tolerance) {}
 
   std::int32_t find_or_add(const Vec3& p, std::vector<Vec3>& vertices) {
     const Cell home = cell_of(p);

@@ -11,8 +11,9 @@
 
 namespace eigengrasp {
 
-/// Bad input: one sentence that says what was found, what was expected and how to mend it. Programs print it and
-/// end with exit code 2. Expected outcomes (no grasp found) are statuses, programmer errors std::logic_error.
+/// Bad input: one sentence that says what was found, what was expected and how to mend it. Programs print it
+/// and end with exit code 2. Expected outcomes (no grasp found) are statuses, programmer errors
+/// std::logic_error.
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -9,7 +9,8 @@
 
 namespace eigengrasp {
 
-/// Three numbers: a point [m], a direction [-], a force [N] or a torque [N m], as the name of the variable says.
+/// Three numbers: a point [m], a direction [-], a force [N] or a torque [N m], as the name of the variable
+/// says.
 using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
 using VecX = Eigen::VectorXd;
@@ -19,7 +20,8 @@ using Vec6 = Eigen::Matrix<double, 6, 1>;
 /// Rigid motion. Named in monogram notation: X_OH is the pose of frame H in frame O, so X_OH * p_HC = p_OC.
 using Pose = Eigen::Isometry3d;
 
-/// The rigid motion that first turns by q_AB (need not be normalised, must not be zero), then shifts by p_AB [m].
+/// The rigid motion that first turns by q_AB (need not be normalised, must not be zero), then shifts by p_AB
+/// [m].
 inline Pose make_pose(const Eigen::Quaterniond& q_AB, const Vec3& p_AB) {
   Pose X_AB = Pose::Identity();
   X_AB.linear() = q_AB.normalized().toRotationMatrix();

@@ -9,9 +9,9 @@
 
 namespace eigengrasp {
 
-/// A stream of random numbers that is named, not ordered: the stream of key (seed, object, chain, ...) is the same
-/// on any machine and any number of threads. Splitmix64 seeding, xoshiro256++ stream (Blackman and Vigna 2019).
-/// Satisfies UniformRandomBitGenerator.
+/// A stream of random numbers that is named, not ordered: the stream of key (seed, object, chain, ...) is the
+/// same on any machine and any number of threads. Splitmix64 seeding, xoshiro256++ stream (Blackman and Vigna
+/// 2019). Satisfies UniformRandomBitGenerator.
 class RandomStream {
  public:
   using result_type = std::uint64_t;

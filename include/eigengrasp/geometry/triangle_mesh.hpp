@@ -31,8 +31,8 @@ struct Box {
   }
 };
 
-/// Triangles over shared vertices [m]. Plain data; may be a polygon soup. Counter-clockwise seen from outside where
-/// the mesh has an outside.
+/// Triangles over shared vertices [m]. Plain data; may be a polygon soup. Counter-clockwise seen from outside
+/// where the mesh has an outside.
 struct TriangleMesh {
   using Triangle = std::array<std::int32_t, 3>;
 

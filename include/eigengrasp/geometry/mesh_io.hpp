@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The eigengrasp authors
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "eigengrasp/core/log.hpp"
+#include "eigengrasp/geometry/triangle_mesh.hpp"
+
+namespace eigengrasp {
+
+/// Metres of one unit: "m", "cm", "mm" or "in". @throws Error for another name, listing these.
+double unit_length(const std::string& unit);
+
+struct MeshReadOptions {
+  double scale = 1.0;  ///< vertices are multiplied by this: units and user scale together
+};
+
+/// Reads OBJ, STL, PLY, OFF, glTF/GLB and what else Assimp reads, as one triangle mesh in the file's own
+/// frame, welded exactly. Polygons are triangulated; lines and points are dropped. Not for Open Inventor (see
+/// model_io).
+/// @throws Error with the file's name for a missing, unreadable, truncated or empty file, non-finite
+/// vertices, faces that index beyond the vertices, or a size beyond 1000 km.
+TriangleMesh load_mesh(const std::filesystem::path& file, const MeshReadOptions& options = {});
+
+/// Whether load_mesh knows the file name's ending.
+bool is_mesh_file(const std::filesystem::path& file);
+
+}  // namespace eigengrasp

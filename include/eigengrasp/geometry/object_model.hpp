@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The eigengrasp authors
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "eigengrasp/geometry/mesh_bvh.hpp"
+#include "eigengrasp/geometry/triangle_mesh.hpp"
+
+namespace eigengrasp {
+
+/// A rigid object to grasp or to avoid. Immutable, shared by all threads.
+struct ObjectModel {
+  std::string name;
+  std::filesystem::path source;
+  TriangleMesh mesh;                   ///< in the object frame O [m]
+  MeshBvh bvh;                         ///< of the mesh
+  Vec3 center_of_mass = Vec3::Zero();  ///< in O [m]
+  double max_radius = 0.0;  ///< largest distance of a vertex from the centre of mass [m]: the torque scale
+  std::string material;     ///< of the friction table; empty: unknown
+  bool watertight = false;
+};
+
+/// Prepares a mesh. The centre of mass is the volume's where the mesh is watertight with positive volume,
+/// else the surface's, unless given. @throws Error for an empty mesh, non-finite vertices or indices out of
+/// range.
+ObjectModel make_object(std::string name, TriangleMesh mesh, const Vec3* center_of_mass = nullptr);
+
+}  // namespace eigengrasp

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The eigengrasp authors
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "eigengrasp/contact/contact_point.hpp"
+#include "eigengrasp/core/pose.hpp"
+
+namespace eigengrasp {
+
+/// How the contact wrenches are joined: l1: the sum of all normal forces is at most 1 (convex hull of the
+/// union); linf: each normal force is at most 1 (hull of the Minkowski sum) (Ferrari and Canny 1992).
+enum class WrenchNorm { l1, linf };
+
+/// How a contact's cone enters the wrench space.
+enum class ConeModel {
+  edges,  ///< an inscribed polytope: options.edges friction directions (soft fingers: 1, 5, 8, 5, 1 of the
+          ///< ellipsoid)
+  exact,  ///< the true cone or ellipsoid, by its closed-form support function
+};
+
+struct WrenchSpaceOptions {
+  WrenchNorm norm = WrenchNorm::l1;
+  ConeModel cone = ConeModel::edges;
+  int edges = 8;                        ///< friction directions of a point contact, >= 3
+  Vec3 torque_origin_O = Vec3::Zero();  ///< torques are about this point of the object frame [m]
+  double torque_scale = 1.0;            ///< torques are divided by this length [m], > 0
+  double epsilon_min = 1e-6;            ///< form closure means epsilon >= this [-]
+  double tolerance = 1e-9;  ///< of epsilon where the cone is exact: relative to the result, or absolute
+};
+
+struct WrenchSpaceQuality {
+  double epsilon =
+      0.0;  ///< radius of the largest origin-centred ball inside the wrench space; 0: origin not inside
+  bool form_closure = false;  ///< epsilon >= epsilon_min
+};
+
+/// Wrenches of the cone edges of one contact at unit normal force, torque about the origin and scaled as in
+/// the options (field-notes convention: force = n + mu (cos t1 + sin t2), edges at equal angles beginning at
+/// t1). Appended to out.
+void append_edge_wrenches(const ContactPoint& contact, const WrenchSpaceOptions& options,
+                          std::vector<Vec6>& out);
+
+/// Epsilon quality of a set of contacts. Expands a polytope from inside towards the facet nearest to the
+/// origin (EPA; Zheng 2013) with the support function of the wrench space: no hull of all wrenches is built.
+/// Degenerate sets (none, one or two contacts, coplanar, parallel, repeated) give 0 or their true epsilon,
+/// never an error. @pre finite contacts, unit normals. Cost: 0.1-1 ms.
+WrenchSpaceQuality compute_epsilon(std::span<const ContactPoint> contacts, const WrenchSpaceOptions& options);
+
+/// The same for plain wrenches whose L1 wrench space is their convex hull.
+WrenchSpaceQuality compute_epsilon(std::span<const Vec6> wrenches, double epsilon_min = 1e-6);
+
+/// Whether the origin lies inside the wrench space by at least epsilon_min; stops as soon as that is decided,
+/// which is several times cheaper than epsilon.
+bool has_form_closure(std::span<const ContactPoint> contacts, const WrenchSpaceOptions& options);
+
+/// Volume of the convex hull of the wrenches in six dimensions (Qhull); 0 where they are degenerate. Cost:
+/// 10-100 ms.
+double compute_hull_volume(std::span<const Vec6> wrenches);
+
+/// Volume of the wrench space of the contacts, from the edges of their cones whatever options.cone says;
+/// linf: of the Minkowski sum.
+double compute_volume(std::span<const ContactPoint> contacts, const WrenchSpaceOptions& options);
+
+}  // namespace eigengrasp
