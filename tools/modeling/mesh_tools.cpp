@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The eigengrasp authors
+#include "modeling/mesh_tools.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "eigengrasp/core/files.hpp"
+#include "eigengrasp/core/parallel.hpp"
+
+namespace eigengrasp::modeling {
+namespace {
+
+std::size_t at(std::int32_t i) {
+  return static_cast<std::size_t>(i);
+}
+
+constexpr std::size_t chunk = 256;
+
+template <typename Work>
+void for_each_vertex(const TriangleMesh& mesh, int n_threads, const Work& work) {
+  const std::size_t n = mesh.vertices.size();
+  parallel_for((n + chunk - 1) / chunk, n_threads, [&](std::size_t c, int) {
+    for (std::size_t v = c * chunk; v < std::min(n, (c + 1) * chunk); ++v) work(v);
+  });
+}
+
+/// Triangles around each vertex.
+std::vector<std::vector<std::int32_t>> fans_of(const TriangleMesh& mesh) {
+  std::vector<std::vector<std::int32_t>> fans(mesh.vertices.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (const std::int32_t v : mesh.triangles[t]) fans[at(v)].push_back(static_cast<std::int32_t>(t));
+  }
+  return fans;
+}
+
+Vec3 projected(const Solid& solid, Vec3 p, double max_step, int iterations) {
+  for (int i = 0; i < iterations; ++i) {
+    const double d = solid(p);
+    if (std::abs(d) < 1e-9) break;
+    const Vec3 g = gradient(solid, p);
+    const double g2 = g.squaredNorm();
+    if (g2 < 1e-4) break;
+    Vec3 step = -d / g2 * g;
+    const double length = step.norm();
+    if (length > max_step) step *= max_step / length;
+    p += step;
+  }
+  return p;
+}
+
+/// True where no triangle around v that was sound with v at its place turns over with v at p.
+bool keeps_sides(const TriangleMesh& mesh, const std::vector<std::int32_t>& fan, std::size_t v,
+                 const Vec3& p) {
+  for (const std::int32_t t : fan) {
+    std::array<Vec3, 3> then;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t w = at(mesh.triangles[at(t)][k]);
+      then[k] = w == v ? p : mesh.vertices[w];
+    }
+    const Vec3 now = area_normal(mesh, at(t)), next = (then[1] - then[0]).cross(then[2] - then[0]);
+    if (now.dot(next) < 0.3 * now.norm() * next.norm()) return false;
+  }
+  return true;
+}
+
+/// Point that all tangent planes around vertex v share best, where they differ enough to say so.
+Vec3 feature_point(const TriangleMesh& mesh, const Solid& solid, const std::vector<std::int32_t>& fan,
+                   std::size_t v, double reach) {
+  const Vec3 p = mesh.vertices[v];
+  Mat3 A = Mat3::Zero();
+  Vec3 b = Vec3::Zero();
+  for (const std::int32_t t : fan) {
+    const Vec3 c = (mesh.corner(at(t), 0) + mesh.corner(at(t), 1) + mesh.corner(at(t), 2)) / 3.0;
+    const Vec3 q = projected(solid, c, reach, 2);
+    const Vec3 g = gradient(solid, q);
+    if (g.norm() < 0.1) continue;
+    const Vec3 n = g.normalized();
+    A += n * n.transpose();
+    b += n * n.dot(q - p);
+  }
+  const Eigen::SelfAdjointEigenSolver<Mat3> solver(A);
+  Vec3 move = Vec3::Zero();
+  if (solver.eigenvalues()[1] < 0.1 * solver.eigenvalues()[2]) return p;  // one plane: no feature
+  for (int k = 0; k < 3; ++k) {
+    if (solver.eigenvalues()[k] < 0.1 * solver.eigenvalues()[2]) continue;
+    move += solver.eigenvectors().col(k) * solver.eigenvectors().col(k).dot(b) / solver.eigenvalues()[k];
+  }
+  const Vec3 target = p + move;
+  return move.norm() <= reach && std::abs(solid(target)) < 0.02 * reach ? target : p;
+}
+
+}  // namespace
+
+void project(TriangleMesh& mesh, const Solid& solid, double max_step, int iterations, int n_threads) {
+  for_each_vertex(mesh, n_threads, [&](std::size_t v) {
+    mesh.vertices[v] = projected(solid, mesh.vertices[v], max_step, iterations);
+  });
+}
+
+void relax(TriangleMesh& mesh, const Solid& solid, double max_step, int iterations, int n_threads) {
+  const auto fans = fans_of(mesh);
+  for (int i = 0; i < iterations; ++i) {
+    std::vector<Vec3> next = mesh.vertices;
+    for_each_vertex(mesh, n_threads, [&](std::size_t v) {
+      const Vec3 p = mesh.vertices[v];
+      Vec3 mean = Vec3::Zero();
+      for (const std::int32_t t : fans[v]) {
+        for (int k = 0; k < 3; ++k) mean += mesh.corner(at(t), k);
+      }
+      const auto n = static_cast<double>(fans[v].size());
+      if (n == 0.0) return;
+      mean = (mean - n * p) / (2.0 * n);  // each neighbour lies in two triangles
+      const Vec3 g = gradient(solid, p);
+      Vec3 step = mean - p;
+      if (g.squaredNorm() > 1e-4) step -= g * (g.dot(step) / g.squaredNorm());
+      const Vec3 q = projected(solid, p + 0.6 * step, max_step, 3);
+      if ((q - p).norm() < 4.0 * max_step && keeps_sides(mesh, fans[v], v, q)) next[v] = q;
+    });
+    mesh.vertices.swap(next);
+  }
+}
+
+void sharpen(TriangleMesh& mesh, const Solid& solid, double reach, int n_threads) {
+  const auto fans = fans_of(mesh);
+  std::vector<Vec3> next = mesh.vertices;
+  for_each_vertex(mesh, n_threads, [&](std::size_t v) {
+    const Vec3 q = feature_point(mesh, solid, fans[v], v, reach);
+    if (keeps_sides(mesh, fans[v], v, q)) next[v] = q;
+  });
+  mesh.vertices.swap(next);
+}
+
+void save_obj(const TriangleMesh& mesh, const std::filesystem::path& file, int decimals,
+              const std::string& comment) {
+  fmt::memory_buffer out;
+  auto to = std::back_inserter(out);
+  if (!comment.empty()) fmt::format_to(to, "# {}\n", comment);
+  for (const Vec3& p : mesh.vertices) {
+    fmt::format_to(to, "v {:.{}f} {:.{}f} {:.{}f}\n", p.x(), decimals, p.y(), decimals, p.z(), decimals);
+  }
+  for (const auto& t : mesh.triangles) fmt::format_to(to, "f {} {} {}\n", t[0] + 1, t[1] + 1, t[2] + 1);
+  write_file_atomically(file, fmt::to_string(out));
+}
+
+}  // namespace eigengrasp::modeling

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The eigengrasp authors
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "modeling/solid.hpp"
+
+namespace eigengrasp::modeling {
+
+/// Moves every vertex onto the zero set by Newton steps along the gradient, each at most max_step [m].
+void project(TriangleMesh& mesh, const Solid& solid, double max_step, int iterations = 3, int n_threads = 0);
+
+/// `iterations` rounds of: every vertex goes part of the way to the mean of its neighbours along the surface,
+/// then back onto the zero set. Makes triangles more even. A step is taken back where it would turn a
+/// triangle over.
+void relax(TriangleMesh& mesh, const Solid& solid, double max_step, int iterations, int n_threads = 0);
+
+/// Moves vertices that lie beside a sharp edge or corner of the zero set onto it (quadric of the tangent
+/// planes around); others stay. reach [m] is the largest move.
+void sharpen(TriangleMesh& mesh, const Solid& solid, double reach, int n_threads = 0);
+
+/// What a mesh is like; see problems().
+struct MeshReport {
+  std::size_t vertices = 0;
+  std::size_t triangles = 0;
+  bool closed = false;             ///< every edge belongs to two triangles, in opposite directions
+  bool manifold_vertices = false;  ///< the triangles around every vertex form one fan
+  int components = 0;
+  int euler_characteristic = 0;   ///< V - E + F; 2 sphere, 0 torus
+  double volume = 0.0;            ///< [m^3], positive where outward
+  double area = 0.0;              ///< [m^2]
+  double min_area = 0.0;          ///< of a triangle [m^2]
+  double min_quality = 0.0;       ///< of a triangle, 1 equilateral, 0 flat
+  double longest_edge = 0.0;      ///< [m]
+  std::size_t intersections = 0;  ///< pairs of triangles that cut each other (shared corners and edges apart)
+};
+
+MeshReport inspect(const TriangleMesh& mesh);
+
+/// Sentences that say what is wrong: open, not manifold, inside out, more than one component, another Euler
+/// characteristic, empty triangles, self-intersection. Empty where all is well.
+std::vector<std::string> problems(const MeshReport& report, int expected_euler_characteristic = 2);
+
+/// Wavefront OBJ, one v line per vertex with so many decimals and one f line per triangle. Written
+/// atomically.
+/// @throws Error where it cannot be written.
+void save_obj(const TriangleMesh& mesh, const std::filesystem::path& file, int decimals = 6,
+              const std::string& comment = {});
+
+}  // namespace eigengrasp::modeling
