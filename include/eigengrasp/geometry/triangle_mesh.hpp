@@ -18,6 +18,9 @@ struct Box {
   Vec3 max = Vec3::Constant(-std::numeric_limits<double>::infinity());
 
   bool empty() const { return (min.array() > max.array()).any(); }
+  bool contains(const Vec3& p) const {
+    return (p.array() >= min.array()).all() && (p.array() <= max.array()).all();
+  }
   Vec3 center() const { return 0.5 * (min + max); }
   Vec3 size() const { return max - min; }
   double diagonal() const { return empty() ? 0.0 : size().norm(); }

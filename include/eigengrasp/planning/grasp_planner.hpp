@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The eigengrasp authors
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "eigengrasp/core/parallel.hpp"
+#include "eigengrasp/grasp/grasp.hpp"
+#include "eigengrasp/grasp/scene.hpp"
+#include "eigengrasp/quality/wrench_space.hpp"
+
+namespace eigengrasp {
+
+/// What the search minimises.
+enum class EnergyKind {
+  contact,  ///< eqs. (6), (7): distance and alignment of the virtual contacts
+  wrench,   ///< eq. (8): epsilon of the wrench space of the virtual contacts, each scaled by 1 - delta
+};
+
+struct PlanProgress {
+  std::int64_t iterations = 0;        ///< done so far, all chains together
+  std::int64_t iterations_total = 0;  ///< 0 where only a time limit was given
+  double seconds = 0.0;
+  double best_energy = 0.0;
+};
+
+struct PlanOptions {
+  std::int64_t iterations =
+      70000;                ///< states drawn and evaluated, all chains together; 0: until the time limit
+  double time_limit = 0.0;  ///< [s]; 0: none. With a time limit the result depends on the machine's speed
+  int grasps = 20;          ///< pre-grasps that are kept, closed and rated
+  std::uint64_t seed = 1;
+  int threads = 0;     ///< 0: all. Does not change the result
+  int chains = 4;      ///< independent annealing chains that share the iterations; 1: the paper's search
+  int amplitudes = 2;  ///< eigengrasps that are searched; hand.n_dof(): all degrees of freedom
+  EnergyKind energy = EnergyKind::contact;
+  double alpha =
+      0.050;  ///< length [m] that weighs as much as a contact normal that is 90 degrees off, eq. (6)
+  WrenchNorm norm = WrenchNorm::l1;
+  ConeModel cone = ConeModel::edges;
+  int cone_edges = 8;
+  double epsilon_min = 1e-6;       ///< form closure: epsilon at least this
+  double torque_scale = 0.0;       ///< [m]; 0: the object's max_radius
+  const StopFlag* stop = nullptr;  ///< asked every few milliseconds; what was found until then is returned
+  std::function<void(const PlanProgress&)>
+      progress;  ///< called from one thread, some times a second; may be empty
+
+  /// All violations as sentences: name, value, bound. Empty: the options are sound.
+  std::vector<std::string> validate(const HandModel& hand) const;
+};
+
+/// What became of the states that the search drew.
+struct StateCounts {
+  std::int64_t evaluated = 0;
+  std::int64_t legal = 0;
+  std::int64_t hit_object = 0;
+  std::int64_t hit_itself = 0;
+  std::int64_t hit_obstacle = 0;
+};
+
+/// What became of the pre-grasps that were closed.
+struct CandidateCounts {
+  int tested = 0;
+  int form_closed = 0;
+  int not_closed = 0;  ///< touched the object, but epsilon below epsilon_min
+  int no_contact = 0;
+  int penetrating = 0;  ///< refused by the exact check of the closed hand
+};
+
+struct PlanTimings {
+  double prepare = 0.0;  ///< [s] distance field, hand proxies
+  double search = 0.0;
+  double close = 0.0;  ///< closing, contacts, quality and exact check
+  double total = 0.0;
+};
+
+enum class PlanStatus {
+  found,          ///< at least one form-closed grasp
+  none_closed,    ///< pre-grasps were found, none closed to form closure
+  nothing_legal,  ///< no legal state near the object was found
+};
+
+/// The best state of the search at one iteration (Fig. 2 of the paper).
+struct SearchMilestone {
+  std::int64_t iteration = 0;
+  double energy = 0.0;
+  Pose X_OH = Pose::Identity();
+  VecX dofs;
+};
+
+struct PlanResult {
+  PlanStatus status = PlanStatus::nothing_legal;
+  bool stopped_early = false;  ///< by the stop flag or the time limit
+  std::vector<Grasp> grasps;   ///< form-closed ones first, by falling epsilon; then the rest by rising energy
+  StateCounts states;
+  CandidateCounts candidates;
+  PlanTimings timings;
+  std::vector<SearchMilestone> milestones;  ///< of the chain that found the best state
+  std::string explanation;                  ///< one sentence: what was found, or why nothing was, with counts
+};
+
+/// Plans form-closure grasps of the scene's object: searches eigengrasp space and wrist pose for pre-grasps
+/// (sections II, III of the paper), closes the fingers (section III-D), finds the contacts and rates them.
+/// The result depends on the scene and the options alone, never on the number of threads (but for a time
+/// limit).
+/// @throws Error with the sentences of validate() where the options are not sound.
+PlanResult plan_grasps(const Scene& scene, const PlanOptions& options);
+
+}  // namespace eigengrasp
