@@ -3,6 +3,7 @@
 #include "eigengrasp/geometry/mass_properties.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <vector>
@@ -79,6 +80,11 @@ void inspect_topology(const TriangleMesh& mesh, MeshReport& report) {
     report.components += sets.find(static_cast<std::int32_t>(v)) == static_cast<std::int32_t>(v);
 }
 
+/// No area but for rounding.
+bool degenerate(const Vec3& ab, const Vec3& ac, double area) {
+  return area <= 1e-14 * std::max(ab.squaredNorm(), ac.squaredNorm());
+}
+
 /// Integrals over the surface and the enclosed volume, about the centre of the box for the sake of rounding.
 void integrate(const TriangleMesh& mesh, MeshReport& report) {
   const Vec3 origin = report.box.center();
@@ -90,12 +96,14 @@ void integrate(const TriangleMesh& mesh, MeshReport& report) {
     const Vec3 c = mesh.corner(t, 2) - origin;
     const double area = 0.5 * (b - a).cross(c - a).norm();
     const double volume = a.dot(b.cross(c)) / 6.0;  // of the tetrahedron (origin, a, b, c)
-    report.degenerate_triangles += area == 0.0;
+    report.degenerate_triangles +=
+        degenerate(mesh.corner(t, 1) - mesh.corner(t, 0), mesh.corner(t, 2) - mesh.corner(t, 0), area);
     report.area += area;
     report.volume += volume;
     surface_moment += area / 3.0 * (a + b + c);
     volume_moment += volume / 4.0 * (a + b + c);
   }
+  if (std::abs(report.volume) <= 1e-12 * report.area * report.box.diagonal()) report.volume = 0.0;
   report.surface_center = origin;
   if (report.area > 0.0) report.surface_center += surface_moment / report.area;
   if (report.volume != 0.0) report.volume_center = origin + volume_moment / report.volume;
