@@ -8,6 +8,8 @@
 #include <queue>
 #include <vector>
 
+#include "modeling/mesh_tools.hpp"
+
 namespace eigengrasp::modeling {
 namespace {
 
@@ -55,11 +57,6 @@ struct Collapse {
     return a != o.a ? a > o.a : b > o.b;
   }
 };
-
-double quality(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const double edges = (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
-  return edges > 0.0 ? 2.0 * std::sqrt(3.0) * (b - a).cross(c - a).norm() / edges : 0.0;
-}
 
 class Decimator {
  public:
@@ -167,7 +164,8 @@ class Decimator {
         then[k] = w == v ? p : now[k];
         if (w != v && (now[k] - p).norm() > options_.max_edge) return false;
       }
-      const double before = quality(now[0], now[1], now[2]), after = quality(then[0], then[1], then[2]);
+      const double before = triangle_quality(now[0], now[1], now[2]),
+                   after = triangle_quality(then[0], then[1], then[2]);
       if (after < std::min(options_.min_quality, before) || after < 1e-3) return false;
       const Vec3 n0 = (now[1] - now[0]).cross(now[2] - now[0]),
                  n1 = (then[1] - then[0]).cross(then[2] - then[0]);

@@ -136,13 +136,17 @@ void measure(const TriangleMesh& mesh, MeshReport& report) {
     report.volume += a.dot(b.cross(c)) / 6.0;
     report.area += 0.5 * twice;
     report.min_area = std::min(report.min_area, 0.5 * twice);
-    report.min_quality =
-        std::min(report.min_quality, 2.0 * std::sqrt(3.0) * twice / std::max(ab + bc + ca, 1e-300));
+    report.min_quality = std::min(report.min_quality, triangle_quality(a, b, c));
     report.longest_edge = std::max(report.longest_edge, std::sqrt(std::max({ab, bc, ca})));
   }
 }
 
 }  // namespace
+
+double triangle_quality(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const double edges = (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
+  return edges > 0.0 ? 2.0 * std::sqrt(3.0) * (b - a).cross(c - a).norm() / edges : 0.0;
+}
 
 MeshReport inspect(const TriangleMesh& mesh) {
   MeshReport report;

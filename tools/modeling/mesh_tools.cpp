@@ -53,19 +53,31 @@ Vec3 projected(const Solid& solid, Vec3 p, double max_step, int iterations) {
   return p;
 }
 
-/// True where no triangle around v that was sound with v at its place turns over with v at p.
-bool keeps_sides(const TriangleMesh& mesh, const std::vector<std::int32_t>& fan, std::size_t v,
+/// True where v may go to p: no triangle around it turns over, and none becomes a sliver that was none.
+bool keeps_shape(const TriangleMesh& mesh, const std::vector<std::int32_t>& fan, std::size_t v,
                  const Vec3& p) {
   for (const std::int32_t t : fan) {
-    std::array<Vec3, 3> then;
+    std::array<Vec3, 3> now, then;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t w = at(mesh.triangles[at(t)][k]);
-      then[k] = w == v ? p : mesh.vertices[w];
+      now[k] = mesh.vertices[w];
+      then[k] = w == v ? p : now[k];
     }
-    const Vec3 now = area_normal(mesh, at(t)), next = (then[1] - then[0]).cross(then[2] - then[0]);
-    if (now.dot(next) < 0.3 * now.norm() * next.norm()) return false;
+    const Vec3 n0 = (now[1] - now[0]).cross(now[2] - now[0]),
+               n1 = (then[1] - then[0]).cross(then[2] - then[0]);
+    if (n0.dot(n1) < 0.3 * n0.norm() * n1.norm()) return false;
+    const double after = triangle_quality(then[0], then[1], then[2]);
+    if (after < 0.1 && after < triangle_quality(now[0], now[1], now[2])) return false;
   }
   return true;
+}
+
+/// Moves the vertices to their targets one after the other, where that keeps the triangles sound.
+void apply(TriangleMesh& mesh, const std::vector<std::vector<std::int32_t>>& fans,
+           const std::vector<Vec3>& targets) {
+  for (std::size_t v = 0; v < targets.size(); ++v) {
+    if (keeps_shape(mesh, fans[v], v, targets[v])) mesh.vertices[v] = targets[v];
+  }
 }
 
 /// Point that all tangent planes around vertex v share best, where they differ enough to say so.
@@ -119,20 +131,18 @@ void relax(TriangleMesh& mesh, const Solid& solid, double max_step, int iteratio
       Vec3 step = mean - p;
       if (g.squaredNorm() > 1e-4) step -= g * (g.dot(step) / g.squaredNorm());
       const Vec3 q = projected(solid, p + 0.6 * step, max_step, 3);
-      if ((q - p).norm() < 4.0 * max_step && keeps_sides(mesh, fans[v], v, q)) next[v] = q;
+      if ((q - p).norm() < 4.0 * max_step) next[v] = q;
     });
-    mesh.vertices.swap(next);
+    apply(mesh, fans, next);
   }
 }
 
 void sharpen(TriangleMesh& mesh, const Solid& solid, double reach, int n_threads) {
   const auto fans = fans_of(mesh);
-  std::vector<Vec3> next = mesh.vertices;
-  for_each_vertex(mesh, n_threads, [&](std::size_t v) {
-    const Vec3 q = feature_point(mesh, solid, fans[v], v, reach);
-    if (keeps_sides(mesh, fans[v], v, q)) next[v] = q;
-  });
-  mesh.vertices.swap(next);
+  std::vector<Vec3> next(mesh.vertices.size());
+  for_each_vertex(mesh, n_threads,
+                  [&](std::size_t v) { next[v] = feature_point(mesh, solid, fans[v], v, reach); });
+  apply(mesh, fans, next);
 }
 
 void save_obj(const TriangleMesh& mesh, const std::filesystem::path& file, int decimals,

@@ -23,6 +23,9 @@ void relax(TriangleMesh& mesh, const Solid& solid, double max_step, int iteratio
 /// planes around); others stay. reach [m] is the largest move.
 void sharpen(TriangleMesh& mesh, const Solid& solid, double reach, int n_threads = 0);
 
+/// 4 sqrt(3) area / sum of squared edges [-]: 1 for an equilateral triangle, 0 for a flat one.
+double triangle_quality(const Vec3& a, const Vec3& b, const Vec3& c);
+
 /// What a mesh is like; see problems().
 struct MeshReport {
   std::size_t vertices = 0;
