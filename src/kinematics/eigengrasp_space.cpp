@@ -22,7 +22,8 @@ VecX remove_parts(const Eigen::MatrixXd& basis, int n, VecX v) {
 }
 
 std::string label(int i, const std::string& name) {
-  return name.empty() ? fmt::format("eigengrasp {}", i + 1) : fmt::format("eigengrasp {} (\"{}\")", i + 1, name);
+  return name.empty() ? fmt::format("eigengrasp {}", i + 1)
+                      : fmt::format("eigengrasp {} (\"{}\")", i + 1, name);
 }
 
 }  // namespace
@@ -38,8 +39,10 @@ EigengraspSpace::EigengraspSpace(VecX origin, std::vector<Eigengrasp> eigengrasp
            e.direction.size(), origin_.size());
     }
     const double length = e.direction.norm();
-    if (!std::isfinite(length)) fail("{}: the direction holds a value that is not a number", label(i, e.name));
-    if (length == 0.0) fail("{}: the direction is zero, expected a direction with a length", label(i, e.name));
+    if (!std::isfinite(length))
+      fail("{}: the direction holds a value that is not a number", label(i, e.name));
+    if (length == 0.0)
+      fail("{}: the direction is zero, expected a direction with a length", label(i, e.name));
     const VecX rest = remove_parts(basis_, i, e.direction / length);
     if (rest.norm() < min_independent_share) {
       fail("{}: the direction is a combination of the earlier ones; leave it out", label(i, e.name));
@@ -95,8 +98,7 @@ PostureComponents compute_posture_components(const Eigen::MatrixXd& postures) {
   PostureComponents result;
   result.mean = postures.colwise().mean().transpose();
   const Eigen::MatrixXd centred = postures.rowwise() - result.mean.transpose();
-  const Eigen::MatrixXd covariance =
-      centred.transpose() * centred / static_cast<double>(postures.rows() - 1);
+  const Eigen::MatrixXd covariance = centred.transpose() * centred / static_cast<double>(postures.rows() - 1);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(covariance);
   result.variance = solver.eigenvalues().reverse().cwiseMax(0.0);
   result.directions = solver.eigenvectors().rowwise().reverse();

@@ -30,7 +30,9 @@ void require(bool holds, const std::string& sentence) {
   if (!holds) throw std::logic_error("hand model: " + sentence);
 }
 
-bool is_unit(const Vec3& v) { return std::abs(v.norm() - 1.0) < 1e-9; }
+bool is_unit(const Vec3& v) {
+  return std::abs(v.norm() - 1.0) < 1e-9;
+}
 
 bool is_rigid(const Pose& X) {
   return X.matrix().allFinite() && (X.linear() * X.linear().transpose() - Mat3::Identity()).norm() < 1e-6 &&
@@ -75,7 +77,8 @@ std::vector<int> bodies_of_links(const HandModel& hand) {
   std::vector<int> body(hand.links.size(), 0);
   for (std::size_t j = 0; j < hand.joints.size(); ++j) {
     const bool fixed = hand.joints[j].type == JointType::fixed;
-    body[j + 1] = fixed ? body[static_cast<std::size_t>(hand.joints[j].parent_link)] : static_cast<int>(j + 1);
+    body[j + 1] =
+        fixed ? body[static_cast<std::size_t>(hand.joints[j].parent_link)] : static_cast<int>(j + 1);
   }
   return body;
 }
@@ -97,9 +100,15 @@ std::vector<int> next_bodies_up(const HandModel& hand, const std::vector<int>& b
 
 }  // namespace
 
-VecX HandModel::dof_min() const { return gather(dofs, &HandDof::min); }
-VecX HandModel::dof_max() const { return gather(dofs, &HandDof::max); }
-VecX HandModel::rest_posture() const { return gather(dofs, &HandDof::rest); }
+VecX HandModel::dof_min() const {
+  return gather(dofs, &HandDof::min);
+}
+VecX HandModel::dof_max() const {
+  return gather(dofs, &HandDof::max);
+}
+VecX HandModel::rest_posture() const {
+  return gather(dofs, &HandDof::rest);
+}
 
 std::vector<std::string> HandModel::dof_names() const {
   std::vector<std::string> names;
@@ -107,9 +116,15 @@ std::vector<std::string> HandModel::dof_names() const {
   return names;
 }
 
-int HandModel::find_link(const std::string& link_name) const { return find_named(links, link_name); }
-int HandModel::find_joint(const std::string& joint_name) const { return find_named(joints, joint_name); }
-int HandModel::find_frame(const std::string& frame_name) const { return find_named(frames, frame_name); }
+int HandModel::find_link(const std::string& link_name) const {
+  return find_named(links, link_name);
+}
+int HandModel::find_joint(const std::string& joint_name) const {
+  return find_named(joints, joint_name);
+}
+int HandModel::find_frame(const std::string& frame_name) const {
+  return find_named(frames, frame_name);
+}
 
 void set_collision_pairs(HandModel& hand, const std::vector<std::array<int, 2>>& ignored) {
   const std::vector<int> body = bodies_of_links(hand);
@@ -149,7 +164,8 @@ void check_invariants(const HandModel& hand) {
     require(a >= 0 && a < b && b < hand.n_links(), "a collision pair is not two links in order");
   require(hand.approach_point_H.allFinite() && is_unit(hand.approach_direction_H),
           "the approach has no finite point or unit direction");
-  require(hand.eigengrasps.n_dof() == hand.n_dof(), "its eigengrasps have another number of degrees of freedom");
+  require(hand.eigengrasps.n_dof() == hand.n_dof(),
+          "its eigengrasps have another number of degrees of freedom");
 }
 
 }  // namespace eigengrasp
