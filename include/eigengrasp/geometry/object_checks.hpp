@@ -9,7 +9,8 @@
 
 namespace eigengrasp {
 
-/// What a user may want to know of an object before a hand grasps it; empty for a usual one. One sentence each:
+/// What a user may want to know of an object before a hand grasps it; empty for a usual one. One sentence
+/// each:
 /// - the longest side of the box is above five times or below a twentieth of hand_size [m] (the length of the
 ///   hand, about 0.2), with the units (mm, cm, in) that would make it 1 to 60 cm;
 /// - the mesh is not watertight, or is inside out or without volume: the surface's centre of mass is used.

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The eigengrasp authors
+#pragma once
+
+#include <vector>
+
+#include "eigengrasp/geometry/mesh_bvh.hpp"
+
+namespace eigengrasp {
+
+struct Sphere {
+  Vec3 center = Vec3::Zero();  ///< [m]
+  double radius = 0.0;         ///< [m]
+};
+
+/// Points of the surface, at least one in every triangle, with a spacing of about the given one [m], and
+/// their unit normals. Deterministic.
+struct SurfaceSamples {
+  std::vector<Vec3> points;
+  std::vector<Vec3> normals;
+};
+SurfaceSamples sample_surface(const TriangleMesh& mesh, double spacing);
+
+/// Spheres inside a closed surface, largest first, that together reach every point of the surface to within
+/// `tolerance` [m]: medial balls (shrinking-ball construction, Ma et al. 2012) chosen greedily. What intrudes
+/// deeper than the tolerance into the solid meets a sphere; what meets a sphere is inside the solid. Cost:
+/// some 10 ms.
+std::vector<Sphere> cover_with_inner_spheres(const TriangleMesh& mesh, const MeshBvh& bvh, double tolerance);
+
+/// A small ball that holds all points (Ritter 1990; at most some per cent larger than the smallest).
+Sphere bounding_sphere(const std::vector<Vec3>& points);
+
+}  // namespace eigengrasp

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The eigengrasp authors
+#include "eigengrasp/geometry/distance_field.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "eigengrasp/core/parallel.hpp"
+
+namespace eigengrasp {
+
+namespace {
+
+/// The eight values about a point and the weights along the axes.
+struct CellView {
+  std::array<double, 8> v;  // x fastest
+  double fx, fy, fz;
+};
+
+CellView look_up(const FieldGrid& grid, const Vec3& p) {
+  const double inverse = 1.0 / grid.cell;
+  const Vec3 u = (p - grid.origin) * inverse;
+  const int ix = std::clamp(static_cast<int>(u.x()), 0, grid.nodes.x() - 2);
+  const int iy = std::clamp(static_cast<int>(u.y()), 0, grid.nodes.y() - 2);
+  const int iz = std::clamp(static_cast<int>(u.z()), 0, grid.nodes.z() - 2);
+  const auto nx = static_cast<std::size_t>(grid.nodes.x());
+  const std::size_t nxy = nx * static_cast<std::size_t>(grid.nodes.y());
+  const float* c = grid.values.data() + static_cast<std::size_t>(iz) * nxy +
+                   static_cast<std::size_t>(iy) * nx + static_cast<std::size_t>(ix);
+  return {{c[0], c[1], c[nx], c[nx + 1], c[nxy], c[nxy + 1], c[nxy + nx], c[nxy + nx + 1]},
+          u.x() - ix,
+          u.y() - iy,
+          u.z() - iz};
+}
+
+double mix(double a, double b, double t) {
+  return a + t * (b - a);
+}
+
+FieldGrid make_grid(const Box& surface, double margin, double cell, const Box& region) {
+  Box box{surface.min - Vec3::Constant(margin), surface.max + Vec3::Constant(margin)};
+  if (!region.empty()) {
+    box.min = box.min.cwiseMax(region.min).cwiseMin(region.max);
+    box.max = box.max.cwiseMin(region.max).cwiseMax(box.min);
+  }
+  FieldGrid grid;
+  grid.cell = cell;
+  const Vec3 size = box.size();
+  grid.nodes = (size / cell).array().ceil().cast<int>() + 1;
+  grid.nodes = grid.nodes.cwiseMax(2);
+  const Vec3 covered = cell * (grid.nodes.array() - 1).cast<double>().matrix();
+  grid.origin = box.center() - 0.5 * covered;
+  grid.values.resize(static_cast<std::size_t>(grid.nodes.x()) * static_cast<std::size_t>(grid.nodes.y()) *
+                     static_cast<std::size_t>(grid.nodes.z()));
+  return grid;
+}
+
+Vec3 node_position(const FieldGrid& grid, int x, int y, int z) {
+  return grid.origin + grid.cell * Vec3(x, y, z);
+}
+
+/// Unsigned distances: each query is bounded by the neighbour's distance plus the step between them.
+void fill_distances(const MeshBvh& bvh, FieldGrid& grid, int threads) {
+  parallel_for(static_cast<std::size_t>(grid.nodes.z()), threads, [&](std::size_t zi, int) {
+    const int z = static_cast<int>(zi);
+    const auto nx = static_cast<std::size_t>(grid.nodes.x());
+    const auto ny = static_cast<std::size_t>(grid.nodes.y());
+    double row_start = std::numeric_limits<double>::infinity();
+    for (int y = 0; y < grid.nodes.y(); ++y) {
+      double bound = row_start;
+      float* row = grid.values.data() + (zi * ny + static_cast<std::size_t>(y)) * nx;
+      for (int x = 0; x < grid.nodes.x(); ++x) {
+        const Vec3 p = node_position(grid, x, y, z);
+        const double d = bvh.closest_point(p, bound + 1.001 * grid.cell).distance;
+        row[x] = static_cast<float>(d);
+        bound = d;
+        if (x == 0) row_start = d;
+      }
+    }
+  });
+}
+
+/// Gives the nodes inside a negative sign. Neighbours whose distances sum to more than the step between them
+/// lie on the same side, so that the winding number is needed once for each such region.
+class SignFill {
+ public:
+  SignFill(const MeshBvh& bvh, FieldGrid& grid)
+      : bvh_(bvh),
+        grid_(grid),
+        nx_(grid.nodes.x()),
+        ny_(grid.nodes.y()),
+        nz_(grid.nodes.z()),
+        done_(grid.values.size(), false) {}
+
+  void run() {
+    for (int z = 0; z < nz_; ++z)
+      for (int y = 0; y < ny_; ++y)
+        for (int x = 0; x < nx_; ++x)
+          if (!done_[index(x, y, z)]) flood({x, y, z});
+  }
+
+ private:
+  using Place = std::array<int, 3>;
+
+  std::size_t index(int x, int y, int z) const {
+    return (static_cast<std::size_t>(z) * static_cast<std::size_t>(ny_) + static_cast<std::size_t>(y)) *
+               static_cast<std::size_t>(nx_) +
+           static_cast<std::size_t>(x);
+  }
+
+  void flood(const Place& seed) {
+    const bool inside = bvh_.contains(node_position(grid_, seed[0], seed[1], seed[2]));
+    queue_.assign(1, seed);
+    done_[index(seed[0], seed[1], seed[2])] = true;
+    while (!queue_.empty()) {
+      const Place at = queue_.back();
+      queue_.pop_back();
+      const std::size_t i = index(at[0], at[1], at[2]);
+      const float here = std::abs(grid_.values[i]);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        for (int step : {-1, 1}) {
+          Place next = at;
+          next[axis] += step;
+          if (next[axis] < 0 || next[axis] >= grid_.nodes[static_cast<Eigen::Index>(axis)]) continue;
+          const std::size_t j = index(next[0], next[1], next[2]);
+          if (done_[j] || here + std::abs(grid_.values[j]) <= 1.0001 * grid_.cell) continue;
+          done_[j] = true;
+          queue_.push_back(next);
+        }
+      if (inside) grid_.values[i] = -here;
+    }
+  }
+
+  const MeshBvh& bvh_;
+  FieldGrid& grid_;
+  int nx_, ny_, nz_;
+  std::vector<bool> done_;
+  std::vector<Place> queue_;
+};
+
+}  // namespace
+
+double FieldGrid::value(const Vec3& p) const {
+  const CellView c = look_up(*this, p);
+  const double y0 = mix(mix(c.v[0], c.v[1], c.fx), mix(c.v[2], c.v[3], c.fx), c.fy);
+  const double y1 = mix(mix(c.v[4], c.v[5], c.fx), mix(c.v[6], c.v[7], c.fx), c.fy);
+  return mix(y0, y1, c.fz);
+}
+
+FieldSample FieldGrid::sample(const Vec3& p) const {
+  const CellView c = look_up(*this, p);
+  const double x00 = mix(c.v[0], c.v[1], c.fx);
+  const double x10 = mix(c.v[2], c.v[3], c.fx);
+  const double x01 = mix(c.v[4], c.v[5], c.fx);
+  const double x11 = mix(c.v[6], c.v[7], c.fx);
+  const double y0 = mix(x00, x10, c.fy);
+  const double y1 = mix(x01, x11, c.fy);
+  FieldSample s;
+  s.distance = mix(y0, y1, c.fz);
+  s.gradient.x() =
+      mix(mix(c.v[1] - c.v[0], c.v[3] - c.v[2], c.fy), mix(c.v[5] - c.v[4], c.v[7] - c.v[6], c.fy), c.fz);
+  s.gradient.y() = mix(x10 - x00, x11 - x01, c.fz);
+  s.gradient.z() = y1 - y0;
+  s.gradient /= cell;
+  return s;
+}
+
+DistanceField::DistanceField(const MeshBvh& bvh, const DistanceFieldOptions& options) {
+  if (bvh.empty()) return;
+  const Box& box = bvh.box();
+  const double largest = box.size().maxCoeff();
+  const double cell = options.cell > 0.0 ? options.cell : std::clamp(largest / 64.0, 0.001, 0.004);
+  // Very large objects get larger cells, so that the grid stays within memory.
+  const double floor_cell = (largest + 2.0 * options.margin) / 400.0;
+  fine_ = make_grid(box, options.margin, std::max(cell, floor_cell), options.region);
+  coarse_ = make_grid(box, options.far_margin, std::max(0.010, (largest + 2.0 * options.far_margin) / 160.0),
+                      options.region);
+  for (FieldGrid* grid : {&fine_, &coarse_}) {
+    fill_distances(bvh, *grid, options.threads);
+    SignFill(bvh, *grid).run();
+  }
+}
+
+FieldSample DistanceField::sample(const Vec3& p) const {
+  if (fine_.contains(p)) return fine_.sample(p);
+  if (coarse_.contains(p)) return coarse_.sample(p);
+  const Box box = coarse_.box();
+  const Vec3 q = p.cwiseMax(box.min).cwiseMin(box.max);
+  const FieldSample at_border = coarse_.sample(q);
+  const Vec3 nearest = q - at_border.distance * at_border.gradient.normalized();
+  FieldSample s;
+  s.distance = (p - nearest).norm();
+  s.gradient = (p - nearest) / s.distance;
+  return s;
+}
+
+double DistanceField::distance(const Vec3& p) const {
+  if (fine_.contains(p)) return fine_.value(p);
+  if (coarse_.contains(p)) return coarse_.value(p);
+  return sample(p).distance;
+}
+
+}  // namespace eigengrasp

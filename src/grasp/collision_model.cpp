@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The eigengrasp authors
+#include "eigengrasp/grasp/collision_model.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "eigengrasp/core/parallel.hpp"
+
+namespace eigengrasp {
+
+const char* describe(Legality legality) {
+  switch (legality) {
+    case Legality::legal:
+      return "is legal";
+    case Legality::hits_object:
+      return "collides with the object";
+    case Legality::hits_itself:
+      return "collides with itself";
+    case Legality::hits_obstacle:
+      return "collides with an obstacle";
+  }
+  throw std::logic_error("unknown legality");
+}
+
+HandSurfaces::HandSurfaces(const HandModel& hand, double cover_tolerance, int threads)
+    : links(hand.links.size()) {
+  parallel_for(links.size(), threads, [&](std::size_t i, int) {
+    const TriangleMesh& mesh = hand.links[i].mesh;
+    if (mesh.empty()) return;
+    links[i].bvh = MeshBvh(mesh);
+    links[i].bound = bounding_sphere(mesh.vertices);
+    if (cover_tolerance > 0.0)
+      links[i].inner_spheres = cover_with_inner_spheres(mesh, links[i].bvh, cover_tolerance);
+  });
+}
+
+CollisionModel::CollisionModel(Scene scene, const Options& options)
+    : scene_(std::move(scene)),
+      options_(options),
+      surfaces_(*scene_.hand, options.fast ? options.cover_tolerance : 0.0, options.threads) {
+  if (!options.fast) return;
+  DistanceFieldOptions field;
+  field.threads = options.threads;
+  object_field_ = DistanceField(scene_.object->bvh, field);
+  for (const Obstacle& obstacle : scene_.obstacles) {
+    // Only the part near the object can matter.
+    DistanceFieldOptions clipped = field;
+    const Pose X_BO = obstacle.X_OB.inverse();
+    const Vec3 center = X_BO * scene_.object->mesh.vertices.front();
+    const double reach = bounding_box(scene_.object->mesh).diagonal() + 2.0 * hand_reach(*scene_.hand);
+    clipped.region = {center - Vec3::Constant(reach), center + Vec3::Constant(reach)};
+    clipped.cell = 0.005;
+    clipped.far_margin = reach;
+    obstacle_fields_.emplace_back(obstacle.model->bvh, clipped);
+  }
+}
+
+bool CollisionModel::link_hits_field(int link, const Pose& X_FL, const DistanceField& field) const {
+  const auto& surface = surfaces_.links[static_cast<std::size_t>(link)];
+  if (surface.empty()) return false;
+  const double clearance = field.distance(X_FL * surface.bound.center);
+  if (clearance > surface.bound.radius) return false;
+  for (const Sphere& s : surface.inner_spheres)
+    if (field.distance(X_FL * s.center) < s.radius - options_.refuse_depth) return true;
+  return false;
+}
+
+bool CollisionModel::links_hit(int a, int b, const std::vector<Pose>& X_OL) const {
+  const auto& sa = surfaces_.links[static_cast<std::size_t>(a)];
+  const auto& sb = surfaces_.links[static_cast<std::size_t>(b)];
+  const Pose& X_OA = X_OL[static_cast<std::size_t>(a)];
+  const Pose& X_OB = X_OL[static_cast<std::size_t>(b)];
+  const Vec3 cb_O = X_OB * sb.bound.center;
+  const double reach = sa.bound.radius + sb.bound.radius;
+  if ((X_OA * sa.bound.center - cb_O).squaredNorm() > reach * reach) return false;
+  const Pose X_AB = X_OA.inverse() * X_OB;
+  const Vec3 cb_A = X_AB * sb.bound.center;
+  const Vec3 ca_B = X_AB.inverse() * sa.bound.center;
+  for (const Sphere& s : sb.inner_spheres) {
+    const double near_a = s.radius + sa.bound.radius;
+    if ((s.center - ca_B).squaredNorm() > near_a * near_a) continue;
+    const Vec3 c = X_AB * s.center;
+    for (const Sphere& t : sa.inner_spheres) {
+      const double touch = s.radius + t.radius - options_.refuse_depth;
+      if (touch > 0.0 && (c - t.center).squaredNorm() < touch * touch) return true;
+    }
+  }
+  return false;
+}
+
+Legality CollisionModel::check_fast(const std::vector<Pose>& X_OL) const {
+  const int n = static_cast<int>(X_OL.size());
+  for (int i = 0; i < n; ++i)
+    if (link_hits_field(i, X_OL[static_cast<std::size_t>(i)], object_field_)) return Legality::hits_object;
+  for (std::size_t k = 0; k < obstacle_fields_.size(); ++k) {
+    const Pose X_BO = scene_.obstacles[k].X_OB.inverse();
+    for (int i = 0; i < n; ++i)
+      if (link_hits_field(i, X_BO * X_OL[static_cast<std::size_t>(i)], obstacle_fields_[k]))
+        return Legality::hits_obstacle;
+  }
+  for (const auto& [a, b] : scene_.hand->collision_pairs)
+    if (links_hit(a, b, X_OL)) return Legality::hits_itself;
+  return Legality::legal;
+}
+
+namespace {
+
+bool spheres_apart(const Sphere& a, const Sphere& b, const Pose& X_AB) {
+  const double reach = a.radius + b.radius;
+  return (a.center - X_AB * b.center).squaredNorm() > reach * reach;
+}
+
+bool box_apart(const Box& box, const Sphere& s) {
+  const Vec3 outside = (box.min - s.center).cwiseMax(s.center - box.max).cwiseMax(Vec3::Zero());
+  return outside.squaredNorm() > s.radius * s.radius;
+}
+
+Sphere moved(const Sphere& s, const Pose& X) {
+  return {X * s.center, s.radius};
+}
+
+/// A surface that crosses no other is inside it where any of its points is.
+CollisionModel::ObjectOverlap overlap(const MeshBvh& solid, const HandSurfaces::LinkSurface& link,
+                                      const Pose& X_SL) {
+  CollisionModel::ObjectOverlap result;
+  if (link.empty() || box_apart(solid.box(), moved(link.bound, X_SL))) return result;
+  result.crosses = intersects(solid, link.bvh, X_SL);
+  if (!result.crosses)
+    result.contained = solid.contains(X_SL * link.bvh.corners(0).a) ||
+                       link.bvh.contains(X_SL.inverse() * solid.corners(0).a);
+  return result;
+}
+
+}  // namespace
+
+CollisionModel::ObjectOverlap CollisionModel::overlap_with_object(int link, const Pose& X_OL) const {
+  return overlap(scene_.object->bvh, surfaces_.links[static_cast<std::size_t>(link)], X_OL);
+}
+
+Legality CollisionModel::check_exact(const std::vector<Pose>& X_OL) const {
+  for (std::size_t i = 0; i < X_OL.size(); ++i) {
+    const ObjectOverlap o = overlap(scene_.object->bvh, surfaces_.links[i], X_OL[i]);
+    if (o.crosses || o.contained) return Legality::hits_object;
+  }
+  for (const Obstacle& obstacle : scene_.obstacles) {
+    const Pose X_BO = obstacle.X_OB.inverse();
+    for (std::size_t i = 0; i < X_OL.size(); ++i) {
+      const ObjectOverlap o = overlap(obstacle.model->bvh, surfaces_.links[i], X_BO * X_OL[i]);
+      if (o.crosses || o.contained) return Legality::hits_obstacle;
+    }
+  }
+  for (const auto& [a, b] : scene_.hand->collision_pairs) {
+    const auto& sa = surfaces_.links[static_cast<std::size_t>(a)];
+    const auto& sb = surfaces_.links[static_cast<std::size_t>(b)];
+    const Pose X_AB = X_OL[static_cast<std::size_t>(a)].inverse() * X_OL[static_cast<std::size_t>(b)];
+    if (!spheres_apart(sa.bound, sb.bound, X_AB) && intersects(sa.bvh, sb.bvh, X_AB))
+      return Legality::hits_itself;
+  }
+  return Legality::legal;
+}
+
+namespace {
+
+/// Deepest point of the samples of a mesh inside a solid.
+double depth_of_points(const std::vector<Vec3>& points, const Pose& X_SP, const MeshBvh& solid) {
+  double deepest = 0.0;
+  for (const Vec3& p : points) {
+    const Vec3 q = X_SP * p;
+    if (!solid.box().contains(q)) continue;
+    const double d = solid.closest_point(q).distance;
+    if (d > deepest && solid.contains(q)) deepest = d;
+  }
+  return deepest;
+}
+
+std::vector<Vec3> depth_probes(const TriangleMesh& mesh) {
+  std::vector<Vec3> points = mesh.vertices;
+  const SurfaceSamples samples = sample_surface(mesh, 0.0015);
+  points.insert(points.end(), samples.points.begin(), samples.points.end());
+  return points;
+}
+
+double penetration(const MeshBvh& a, const TriangleMesh& mesh_a, const MeshBvh& b, const TriangleMesh& mesh_b,
+                   const Pose& X_AB) {
+  return std::max(depth_of_points(depth_probes(mesh_b), X_AB, a),
+                  depth_of_points(depth_probes(mesh_a), X_AB.inverse(), b));
+}
+
+}  // namespace
+
+double CollisionModel::deepest_penetration(const std::vector<Pose>& X_OL) const {
+  const HandModel& hand = *scene_.hand;
+  double deepest = 0.0;
+  const auto add = [&](const ObjectModel& solid, std::size_t link, const Pose& X_SL) {
+    const ObjectOverlap o = overlap(solid.bvh, surfaces_.links[link], X_SL);
+    if (o.crosses || o.contained)
+      deepest = std::max(deepest, penetration(solid.bvh, solid.mesh, surfaces_.links[link].bvh,
+                                              hand.links[link].mesh, X_SL));
+  };
+  for (std::size_t i = 0; i < X_OL.size(); ++i) {
+    add(*scene_.object, i, X_OL[i]);
+    for (const Obstacle& o : scene_.obstacles) add(*o.model, i, o.X_OB.inverse() * X_OL[i]);
+  }
+  for (const auto& pair : hand.collision_pairs) {
+    const auto a = static_cast<std::size_t>(pair[0]);
+    const auto b = static_cast<std::size_t>(pair[1]);
+    const Pose X_AB = X_OL[a].inverse() * X_OL[b];
+    const auto& sa = surfaces_.links[a];
+    const auto& sb = surfaces_.links[b];
+    if (spheres_apart(sa.bound, sb.bound, X_AB) || !intersects(sa.bvh, sb.bvh, X_AB)) continue;
+    deepest = std::max(deepest, penetration(sa.bvh, hand.links[a].mesh, sb.bvh, hand.links[b].mesh, X_AB));
+  }
+  return deepest;
+}
+
+double CollisionModel::distance_to_object(int link, const Pose& X_OL, double exact_below) const {
+  const auto& s = surfaces_.links[static_cast<std::size_t>(link)];
+  const MeshBvh& bvh = scene_.object->bvh;
+  const double bound = bvh.closest_point(X_OL * s.bound.center).distance - s.bound.radius;
+  if (bound > exact_below) return bound;
+  return closest_pair(bvh, s.bvh, X_OL, exact_below).distance;
+}
+
+double CollisionModel::distance_to_obstacle(int obstacle, int link, const Pose& X_OL,
+                                            double exact_below) const {
+  const auto& s = surfaces_.links[static_cast<std::size_t>(link)];
+  const Obstacle& o = scene_.obstacles[static_cast<std::size_t>(obstacle)];
+  const Pose X_BL = o.X_OB.inverse() * X_OL;
+  const double bound = o.model->bvh.closest_point(X_BL * s.bound.center).distance - s.bound.radius;
+  if (bound > exact_below) return bound;
+  return closest_pair(o.model->bvh, s.bvh, X_BL, exact_below).distance;
+}
+
+double CollisionModel::distance_of_links(int a, int b, const std::vector<Pose>& X_OL,
+                                         double exact_below) const {
+  const auto& sa = surfaces_.links[static_cast<std::size_t>(a)];
+  const auto& sb = surfaces_.links[static_cast<std::size_t>(b)];
+  const Pose X_AB = X_OL[static_cast<std::size_t>(a)].inverse() * X_OL[static_cast<std::size_t>(b)];
+  const double bound = (sa.bound.center - X_AB * sb.bound.center).norm() - sa.bound.radius - sb.bound.radius;
+  if (bound > exact_below) return bound;
+  return closest_pair(sa.bvh, sb.bvh, X_AB, exact_below).distance;
+}
+
+}  // namespace eigengrasp
