@@ -15,6 +15,7 @@
 
 #include "eigengrasp/core/error.hpp"
 #include "eigengrasp/core/files.hpp"
+#include "geometry/mesh_file_checks.hpp"
 
 namespace eigengrasp {
 
@@ -22,8 +23,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array<std::string_view, 9> kEndings = {"obj",  "stl", "ply", "off", "gltf",
-                                                      "glb",  "dae", "3ds", "fbx"};
+constexpr std::array<std::string_view, 9> kEndings = {"obj", "stl", "ply", "off", "gltf",
+                                                      "glb", "dae", "3ds", "fbx"};
 constexpr double kMaxReach = 1e6;               // [m]
 constexpr std::uintmax_t kMaxBytes = 1u << 30;  // of a file
 
@@ -39,7 +40,8 @@ void check_file(const fs::path& file) {
   std::error_code ec;
   const auto status = fs::status(file, ec);
   if (!fs::exists(status)) fail("{}: there is no such file; check the path", file.string());
-  if (fs::is_directory(status)) fail("{}: is a folder, expected a mesh file; name a file in it", file.string());
+  if (fs::is_directory(status))
+    fail("{}: is a folder, expected a mesh file; name a file in it", file.string());
   if (!fs::is_regular_file(status)) fail("{}: is not a regular file, expected a mesh file", file.string());
   if (!is_mesh_file(file))
     fail("{}: the ending \"{}\" is not that of a mesh file, expected one of {}; convert or rename the file",
@@ -81,17 +83,54 @@ void add_part(const aiMesh& part, const aiMatrix4x4& placement, TriangleMesh& me
   }
 }
 
-void add_node(const aiScene& scene, const aiNode& node, const aiMatrix4x4& parent, TriangleMesh& mesh) {
+void add_node(const aiScene& scene, const aiNode& node, const aiMatrix4x4& parent, const fs::path& file,
+              TriangleMesh& mesh) {
   const aiMatrix4x4 placement = parent * node.mTransformation;
-  for (unsigned i = 0; i < node.mNumMeshes; ++i) add_part(*scene.mMeshes[node.mMeshes[i]], placement, mesh);
-  for (unsigned i = 0; i < node.mNumChildren; ++i) add_node(scene, *node.mChildren[i], placement, mesh);
+  for (unsigned i = 0; i < node.mNumMeshes; ++i) {
+    add_part(*scene.mMeshes[node.mMeshes[i]], placement, mesh);
+    if (mesh.triangles.size() > kMaxTriangles || mesh.vertices.size() > 3 * kMaxTriangles)
+      fail("{}: has more than {} triangles; simplify the mesh", file.string(), kMaxTriangles);
+  }
+  for (unsigned i = 0; i < node.mNumChildren; ++i) add_node(scene, *node.mChildren[i], placement, file, mesh);
 }
 
 std::string first_line(std::string_view text) {
   return std::string(text.substr(0, text.find_first_of("\r\n")));
 }
 
+MeshFileFacts check_content(const fs::path& file, const std::string& ending, std::string_view content) {
+  if (ending == "obj") return check_obj(file, content);
+  if (ending == "off") return check_off(file, content);
+  if (ending == "stl") return check_stl(file, content);
+  if (ending == "ply") return check_ply(file, content);
+  if (ending == "gltf" || ending == "glb") return check_gltf(file, content);
+  return {std::nullopt, content};
+}
+
+/// Assimp drops faces that it cannot read; the check knows how many there are.
+void check_face_count(const aiScene& scene, const MeshFileFacts& facts, const fs::path& file) {
+  if (!facts.faces) return;
+  std::size_t faces = 0;
+  for (unsigned m = 0; m < scene.mNumMeshes; ++m)
+    for (unsigned f = 0; f < scene.mMeshes[m]->mNumFaces; ++f)
+      faces += scene.mMeshes[m]->mFaces[f].mNumIndices >= 3;
+  if (faces != *facts.faces)
+    fail("{}: has {} faces of which {} can be read, so it is damaged; export the mesh again", file.string(),
+         *facts.faces, faces);
+}
+
+/// Only glTF keeps its numbers in other files; the rest is read from memory, so that what was checked is what
+/// is read.
+const aiScene* read_scene(Assimp::Importer& importer, const fs::path& file, const std::string& ending,
+                          std::string_view content) {
+  if (ending == "gltf") return importer.ReadFile(file.string(), 0);
+  return importer.ReadFileFromMemory(content.data(), content.size(), 0, ending.c_str());
+}
+
 TriangleMesh import_mesh(const fs::path& file) {
+  const std::string ending = ending_of(file);
+  const std::string content = read_text_file(file);
+  const MeshFileFacts facts = check_content(file, ending, content);
   Assimp::Importer importer;
   importer.SetPropertyInteger(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, 1);
   importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS,
@@ -99,16 +138,17 @@ TriangleMesh import_mesh(const fs::path& file) {
                                   aiComponent_TEXCOORDS | aiComponent_COLORS | aiComponent_BONEWEIGHTS |
                                   aiComponent_ANIMATIONS | aiComponent_TEXTURES | aiComponent_LIGHTS |
                                   aiComponent_CAMERAS | aiComponent_MATERIALS);
-  const aiScene* scene = importer.ReadFile(file.string(), 0);
+  const aiScene* scene = read_scene(importer, file, ending, facts.content);
   if (scene == nullptr)
     fail("{}: cannot be read as a mesh ({}); export it again", file.string(),
          first_line(importer.GetErrorString()));
   check_faces(*scene, file);
+  check_face_count(*scene, facts, file);
   scene = importer.ApplyPostProcessing(aiProcess_RemoveComponent | aiProcess_Triangulate);
   if (scene == nullptr || scene->mRootNode == nullptr)
     fail("{}: the polygons cannot be cut into triangles; export triangles", file.string());
   TriangleMesh mesh;
-  add_node(*scene, *scene->mRootNode, aiMatrix4x4(), mesh);
+  add_node(*scene, *scene->mRootNode, aiMatrix4x4(), file, mesh);
   return mesh;
 }
 

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The eigengrasp authors
+#include <cstring>
+
+#include "geometry/mesh_file_checks.hpp"
+#include "geometry/text_lines.hpp"
+
+namespace eigengrasp {
+
+namespace {
+
+constexpr std::size_t kHeader = 84, kRecord = 50;  // [byte]
+
+std::size_t binary_count(std::string_view content) {
+  std::uint32_t count = 0;
+  if (content.size() >= kHeader) std::memcpy(&count, content.data() + 80, sizeof count);
+  return count;
+}
+
+/// The word "solid" also begins many binary files; those have zeros or a fitting size.
+bool is_text(std::string_view content) {
+  if (content.size() >= kHeader && content.size() >= kHeader + kRecord * binary_count(content)) return false;
+  const std::string_view head = content.substr(0, kHeader);
+  return head.find("solid") != std::string_view::npos && head.find('\0') == std::string_view::npos;
+}
+
+MeshFileFacts check_binary(const std::filesystem::path& file, std::string_view content) {
+  const std::size_t count = binary_count(content);
+  const std::size_t expected = kHeader + kRecord * count;
+  if (content.size() < kHeader)
+    fail("{}: has {} bytes, expected at least {} of an STL file; it is cut off or not an STL file",
+         file.string(), content.size(), kHeader);
+  if (content.size() < expected)
+    fail("{}: has {} bytes, expected {} for the {} triangles of its header; it is cut off or not an STL file",
+         file.string(), content.size(), expected, count);
+  if (count == 0) fail("{}: has no triangles, expected a surface; export faces as well", file.string());
+  for (std::size_t t = 0; t < count; ++t) {
+    float corners[9];  // after the normal
+    std::memcpy(corners, content.data() + kHeader + kRecord * t + 12, sizeof corners);
+    for (const float c : corners)
+      if (!std::isfinite(c))
+        fail("{}: triangle {} has a corner that is not finite, expected numbers; export the mesh again",
+             file.string(), t);
+  }
+  return {count, content.substr(0, expected)};
+}
+
+/// Goes to the next line, which must begin with a keyword.
+void expect(TextLines& lines, std::string_view keyword) {
+  if (!lines.next()) lines.fail_here("ends where \"{}\" was expected; the file is cut off", keyword);
+  if (const std::string_view word = lines.word(); word != keyword)
+    lines.fail_here("found \"{}\" where \"{}\" was expected; mend the line", lines.shown(word), keyword);
+}
+
+MeshFileFacts check_text(const std::filesystem::path& file, std::string_view content) {
+  TextLines lines(file, content);
+  std::size_t facets = 0;
+  bool inside = false;  // between solid and endsolid
+  while (lines.next()) {
+    const std::string_view word = lines.word();
+    if (word == "solid" && !inside) {
+      inside = true;
+    } else if (word == "endsolid" && inside) {
+      inside = false;
+    } else if (word == "facet" && inside) {
+      expect(lines, "outer");
+      for (int k = 0; k < 3; ++k) {
+        expect(lines, "vertex");
+        for (const char* axis : {"x", "y", "z"}) lines.number(axis);
+      }
+      expect(lines, "endloop");
+      expect(lines, "endfacet");
+      ++facets;
+    } else {
+      lines.fail_here("found \"{}\" where \"{}\" was expected; mend the line", lines.shown(word),
+                      inside ? "facet" : "solid");
+    }
+  }
+  if (inside) lines.fail_here("ends where \"endsolid\" was expected; the file is cut off");
+  if (facets == 0) fail("{}: has no triangles, expected a surface; export faces as well", file.string());
+  return {facets, content};
+}
+
+}  // namespace
+
+MeshFileFacts check_stl(const std::filesystem::path& file, std::string_view content) {
+  return is_text(content) ? check_text(file, content) : check_binary(file, content);
+}
+
+}  // namespace eigengrasp
