@@ -132,8 +132,9 @@ void require_sound_mesh(const TriangleMesh& mesh, const std::string& what) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     for (const std::int32_t v : mesh.triangles[t])
       if (v < 0 || v >= count)
-        fail("{}: triangle {} uses vertex {}, but there are only {} vertices (0 to {}); export the mesh again",
-             what, t, v, count, count - 1);
+        fail(
+            "{}: triangle {} uses vertex {}, but there are only {} vertices (0 to {}); export the mesh again",
+            what, t, v, count, count - 1);
 }
 
 }  // namespace eigengrasp

@@ -152,14 +152,14 @@ class GltfDocument {
 
 }  // namespace
 
-MeshFileFacts check_gltf(const std::filesystem::path& file, std::string_view content) {
+CheckedMeshFile check_gltf(const std::filesystem::path& file, std::string_view content) {
   const bool binary = content.starts_with("glTF");
   const std::string_view text = binary ? json_chunk(file, content) : content;
   check_depth(file, text);
   json document = json::parse(text, nullptr, false);
   if (document.is_discarded())
     fail("{}: is not valid JSON, expected a glTF document; it is cut off or not a glTF file", file.string());
-  return {GltfDocument(file, std::move(document)).check(), content};
+  return {GltfDocument(file, std::move(document)).check(), content, {}};
 }
 
 }  // namespace eigengrasp

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
+#include <vector>
+
 #include "geometry/mesh_file_checks.hpp"
+#include "geometry/ply_writer.hpp"
 #include "geometry/text_lines.hpp"
 
 namespace eigengrasp {
 
 namespace {
 
-/// The reader drops larger polygons of this format.
-constexpr std::int64_t kMaxOffCorners = 9;
-
 struct OffCounts {
   std::int64_t vertices = 0, faces = 0;
 };
 
-OffCounts check_header(TextLines& lines) {
+OffCounts read_header(TextLines& lines) {
   std::string_view word;
   if (lines.next()) word = lines.word();
   if (word != "OFF" && word != "COFF" && word != "NOFF" && word != "CNOFF")
@@ -38,34 +38,39 @@ void require_lines(const TextLines& lines, const OffCounts& counts, std::size_t 
                     counts.vertices, counts.faces, bytes);
 }
 
-void check_face(TextLines& lines, const OffCounts& counts) {
+void read_face(TextLines& lines, const OffCounts& counts, PlyWriter& mesh) {
+  std::vector<std::int32_t> face;
   const std::int64_t corners = lines.integer("the number of corners");
-  if (corners < 3 || corners > kMaxOffCorners)
-    lines.fail_here("the face has {} corners, expected 3 to {}; export triangles", corners, kMaxOffCorners);
+  if (corners < 3 || corners > kMaxCorners)
+    lines.fail_here("the face has {} corners, expected 3 to {}; export triangles", corners, kMaxCorners);
   for (std::int64_t k = 0; k < corners; ++k) {
     const std::int64_t index = lines.integer("a vertex index");
     if (index < 0 || index >= counts.vertices)
       lines.fail_here("the face uses vertex {}, but there are only {} (0 to {}); export the mesh again",
                       index, counts.vertices, counts.vertices - 1);
+    face.push_back(static_cast<std::int32_t>(index));
   }
+  mesh.add_face(face);
 }
 
 }  // namespace
 
-MeshFileFacts check_off(const std::filesystem::path& file, std::string_view content) {
+CheckedMeshFile check_off(const std::filesystem::path& file, std::string_view content) {
   TextLines lines(file, content);
-  const OffCounts counts = check_header(lines);
+  const OffCounts counts = read_header(lines);
   require_lines(lines, counts, content.size());
+  PlyWriter mesh;
   for (std::int64_t v = 0; v < counts.vertices; ++v) {
     if (!lines.next())
       lines.fail_here("ends after {} of {} vertices; the file is cut off", v, counts.vertices);
-    for (const char* axis : {"x", "y", "z"}) lines.number(axis);
+    const double x = lines.number("x"), y = lines.number("y"), z = lines.number("z");
+    mesh.add_vertex({x, y, z});
   }
   for (std::int64_t f = 0; f < counts.faces; ++f) {
     if (!lines.next()) lines.fail_here("ends after {} of {} faces; the file is cut off", f, counts.faces);
-    check_face(lines, counts);
+    read_face(lines, counts, mesh);
   }
-  return {static_cast<std::size_t>(counts.faces), content};
+  return {mesh.face_count(), content, mesh.content()};
 }
 
 }  // namespace eigengrasp

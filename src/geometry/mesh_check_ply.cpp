@@ -256,7 +256,7 @@ void check_rows(PlyBody& body, const PlyHeader& header) {
 
 }  // namespace
 
-MeshFileFacts check_ply(const std::filesystem::path& file, std::string_view content) {
+CheckedMeshFile check_ply(const std::filesystem::path& file, std::string_view content) {
   TextLines lines(file, content);
   PlyHeader header = read_header(lines);
   const std::string_view rows = content.substr(lines.position());
@@ -268,7 +268,7 @@ MeshFileFacts check_ply(const std::filesystem::path& file, std::string_view cont
     BinaryBody body(file, rows, header.format == "binary_big_endian");
     check_rows(body, header);
   }
-  return {static_cast<std::size_t>(header.faces), content};
+  return {static_cast<std::size_t>(header.faces), content, {}};
 }
 
 }  // namespace eigengrasp

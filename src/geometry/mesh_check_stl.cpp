@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
+#include <array>
+#include <cctype>
 #include <cstring>
+#include <string>
 
 #include "geometry/mesh_file_checks.hpp"
+#include "geometry/ply_writer.hpp"
 #include "geometry/text_lines.hpp"
 
 namespace eigengrasp {
@@ -17,14 +21,20 @@ std::size_t binary_count(std::string_view content) {
   return count;
 }
 
+std::string lower(std::string_view word) {
+  std::string result(word);
+  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
+
 /// The word "solid" also begins many binary files; those have zeros or a fitting size.
 bool is_text(std::string_view content) {
   if (content.size() >= kHeader && content.size() >= kHeader + kRecord * binary_count(content)) return false;
-  const std::string_view head = content.substr(0, kHeader);
-  return head.find("solid") != std::string_view::npos && head.find('\0') == std::string_view::npos;
+  const std::string head = lower(content.substr(0, kHeader));
+  return head.find("solid") != std::string::npos && head.find('\0') == std::string::npos;
 }
 
-MeshFileFacts check_binary(const std::filesystem::path& file, std::string_view content) {
+CheckedMeshFile check_binary(const std::filesystem::path& file, std::string_view content) {
   const std::size_t count = binary_count(content);
   const std::size_t expected = kHeader + kRecord * count;
   if (content.size() < kHeader)
@@ -42,22 +52,22 @@ MeshFileFacts check_binary(const std::filesystem::path& file, std::string_view c
         fail("{}: triangle {} has a corner that is not finite, expected numbers; export the mesh again",
              file.string(), t);
   }
-  return {count, content.substr(0, expected)};
+  return {count, content.substr(0, expected), {}};
 }
 
 /// Goes to the next line, which must begin with a keyword.
 void expect(TextLines& lines, std::string_view keyword) {
   if (!lines.next()) lines.fail_here("ends where \"{}\" was expected; the file is cut off", keyword);
-  if (const std::string_view word = lines.word(); word != keyword)
+  if (const std::string_view word = lines.word(); lower(word) != keyword)
     lines.fail_here("found \"{}\" where \"{}\" was expected; mend the line", lines.shown(word), keyword);
 }
 
-MeshFileFacts check_text(const std::filesystem::path& file, std::string_view content) {
+CheckedMeshFile check_text(const std::filesystem::path& file, std::string_view content) {
   TextLines lines(file, content);
-  std::size_t facets = 0;
+  PlyWriter mesh;
   bool inside = false;  // between solid and endsolid
   while (lines.next()) {
-    const std::string_view word = lines.word();
+    const std::string word = lower(lines.word());
     if (word == "solid" && !inside) {
       inside = true;
     } else if (word == "endsolid" && inside) {
@@ -66,24 +76,27 @@ MeshFileFacts check_text(const std::filesystem::path& file, std::string_view con
       expect(lines, "outer");
       for (int k = 0; k < 3; ++k) {
         expect(lines, "vertex");
-        for (const char* axis : {"x", "y", "z"}) lines.number(axis);
+        const double x = lines.number("x"), y = lines.number("y"), z = lines.number("z");
+        mesh.add_vertex({x, y, z});
       }
       expect(lines, "endloop");
       expect(lines, "endfacet");
-      ++facets;
+      const auto last = static_cast<std::int32_t>(mesh.vertex_count()) - 1;
+      mesh.add_face(std::array{last - 2, last - 1, last});
     } else {
       lines.fail_here("found \"{}\" where \"{}\" was expected; mend the line", lines.shown(word),
                       inside ? "facet" : "solid");
     }
   }
   if (inside) lines.fail_here("ends where \"endsolid\" was expected; the file is cut off");
-  if (facets == 0) fail("{}: has no triangles, expected a surface; export faces as well", file.string());
-  return {facets, content};
+  if (mesh.face_count() == 0)
+    fail("{}: has no triangles, expected a surface; export faces as well", file.string());
+  return {mesh.face_count(), content, mesh.content()};
 }
 
 }  // namespace
 
-MeshFileFacts check_stl(const std::filesystem::path& file, std::string_view content) {
+CheckedMeshFile check_stl(const std::filesystem::path& file, std::string_view content) {
   return is_text(content) ? check_text(file, content) : check_binary(file, content);
 }
 

@@ -98,39 +98,41 @@ std::string first_line(std::string_view text) {
   return std::string(text.substr(0, text.find_first_of("\r\n")));
 }
 
-MeshFileFacts check_content(const fs::path& file, const std::string& ending, std::string_view content) {
+CheckedMeshFile check_content(const fs::path& file, const std::string& ending, std::string_view content) {
   if (ending == "obj") return check_obj(file, content);
   if (ending == "off") return check_off(file, content);
   if (ending == "stl") return check_stl(file, content);
   if (ending == "ply") return check_ply(file, content);
   if (ending == "gltf" || ending == "glb") return check_gltf(file, content);
-  return {std::nullopt, content};
+  return {std::nullopt, content, {}};
 }
 
 /// Assimp drops faces that it cannot read; the check knows how many there are.
-void check_face_count(const aiScene& scene, const MeshFileFacts& facts, const fs::path& file) {
-  if (!facts.faces) return;
+void check_face_count(const aiScene& scene, const CheckedMeshFile& checked, const fs::path& file) {
+  if (!checked.faces) return;
   std::size_t faces = 0;
   for (unsigned m = 0; m < scene.mNumMeshes; ++m)
     for (unsigned f = 0; f < scene.mMeshes[m]->mNumFaces; ++f)
       faces += scene.mMeshes[m]->mFaces[f].mNumIndices >= 3;
-  if (faces != *facts.faces)
+  if (faces != *checked.faces)
     fail("{}: has {} faces of which {} can be read, so it is damaged; export the mesh again", file.string(),
-         *facts.faces, faces);
+         *checked.faces, faces);
 }
 
 /// Only glTF keeps its numbers in other files; the rest is read from memory, so that what was checked is what
 /// is read.
 const aiScene* read_scene(Assimp::Importer& importer, const fs::path& file, const std::string& ending,
-                          std::string_view content) {
+                          const CheckedMeshFile& checked) {
   if (ending == "gltf") return importer.ReadFile(file.string(), 0);
-  return importer.ReadFileFromMemory(content.data(), content.size(), 0, ending.c_str());
+  if (!checked.as_ply.empty())
+    return importer.ReadFileFromMemory(checked.as_ply.data(), checked.as_ply.size(), 0, "ply");
+  return importer.ReadFileFromMemory(checked.content.data(), checked.content.size(), 0, ending.c_str());
 }
 
 TriangleMesh import_mesh(const fs::path& file) {
   const std::string ending = ending_of(file);
   const std::string content = read_text_file(file);
-  const MeshFileFacts facts = check_content(file, ending, content);
+  const CheckedMeshFile checked = check_content(file, ending, content);
   Assimp::Importer importer;
   importer.SetPropertyInteger(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, 1);
   importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS,
@@ -138,12 +140,12 @@ TriangleMesh import_mesh(const fs::path& file) {
                                   aiComponent_TEXCOORDS | aiComponent_COLORS | aiComponent_BONEWEIGHTS |
                                   aiComponent_ANIMATIONS | aiComponent_TEXTURES | aiComponent_LIGHTS |
                                   aiComponent_CAMERAS | aiComponent_MATERIALS);
-  const aiScene* scene = read_scene(importer, file, ending, facts.content);
+  const aiScene* scene = read_scene(importer, file, ending, checked);
   if (scene == nullptr)
     fail("{}: cannot be read as a mesh ({}); export it again", file.string(),
          first_line(importer.GetErrorString()));
   check_faces(*scene, file);
-  check_face_count(*scene, facts, file);
+  check_face_count(*scene, checked, file);
   scene = importer.ApplyPostProcessing(aiProcess_RemoveComponent | aiProcess_Triangulate);
   if (scene == nullptr || scene->mRootNode == nullptr)
     fail("{}: the polygons cannot be cut into triangles; export triangles", file.string());

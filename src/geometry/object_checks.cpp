@@ -18,7 +18,9 @@ std::string length_text(double metres) {
   return fmt::format("{:.3g} mm", 1000.0 * metres);
 }
 
-bool usual(double metres) { return metres >= kSmallest && metres <= kLargest; }
+bool usual(double metres) {
+  return metres >= kSmallest && metres <= kLargest;
+}
 
 std::string too_large(double size) {
   std::vector<std::string> guesses;

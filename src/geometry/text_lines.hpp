@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <string_view>
 
 #include "eigengrasp/core/error.hpp"
@@ -16,8 +17,10 @@ namespace eigengrasp {
 /// Text as lines of words, for checks of mesh files; errors name file and line.
 class TextLines {
  public:
-  /// The text must outlive this. Comments begin with '#'.
-  TextLines(const std::filesystem::path& file, std::string_view text) : file_(file), text_(text) {}
+  /// File and text must outlive this. Comments begin with '#'.
+  TextLines(const std::filesystem::path& file, std::string_view text) : file_(file), text_(text) {
+    if (text.starts_with("\xef\xbb\xbf")) position_ = 3;  // byte-order mark
+  }
 
   /// Goes to the next line that holds a word; false at the end of the text.
   bool next() {
@@ -55,6 +58,8 @@ class TextLines {
       fail_here("found \"{}\" where {} was expected; mend the line", shown(text), what);
     if (error == std::errc::result_out_of_range && text.find("e-") == std::string_view::npos &&
         text.find("E-") == std::string_view::npos)
+      fail_here("{} is {}, too large for a number; mend the line", what, shown(text));
+    if (std::isfinite(value) && std::abs(value) > std::numeric_limits<float>::max())
       fail_here("{} is {}, too large for a number; mend the line", what, shown(text));
     if (!std::isfinite(value))
       fail_here("{} is {}, expected a finite number; mend the line", what, shown(text));
