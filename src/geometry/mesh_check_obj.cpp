@@ -75,7 +75,7 @@ CheckedMeshFile check_obj(const std::filesystem::path& file, std::string_view co
   if (faces == 0)
     fail("{}: has {} vertices but no faces, expected a surface; export faces as well", file.string(),
          vertices);
-  return {faces, content, text.mesh.content()};
+  return {faces, text.mesh.content()};
 }
 
 }  // namespace eigengrasp

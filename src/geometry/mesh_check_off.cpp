@@ -70,7 +70,7 @@ CheckedMeshFile check_off(const std::filesystem::path& file, std::string_view co
     if (!lines.next()) lines.fail_here("ends after {} of {} faces; the file is cut off", f, counts.faces);
     read_face(lines, counts, mesh);
   }
-  return {mesh.face_count(), content, mesh.content()};
+  return {mesh.face_count(), mesh.content()};
 }
 
 }  // namespace eigengrasp

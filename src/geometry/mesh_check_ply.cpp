@@ -4,10 +4,12 @@
 #include <array>
 #include <bit>
 #include <cstring>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "geometry/mesh_file_checks.hpp"
+#include "geometry/ply_writer.hpp"
 #include "geometry/text_lines.hpp"
 
 namespace eigengrasp {
@@ -224,34 +226,51 @@ class BinaryBody : public PlyBody {
   std::int64_t row_ = 0;
 };
 
-void check_list(PlyBody& body, const PlyHeader& header, const PlyProperty& property, bool corners) {
+void read_list(PlyBody& body, const PlyHeader& header, const PlyProperty& property, bool corners,
+               PlyWriter& mesh) {
+  std::vector<std::int32_t> face;
   const double count = body.read(*property.count_type);
   if (count < 0 || (corners && (count < 3 || count > static_cast<double>(kMaxCorners))))
     body.refuse(fmt::format("a list of {} corners, expected 3 to {}; export triangles", count, kMaxCorners));
   for (double k = 0; k < count; ++k) {
     const double index = body.read(*property.type);
-    if (corners && !(index >= 0 && index < static_cast<double>(header.vertices)))
+    if (!corners) continue;
+    if (!(index >= 0 && index < static_cast<double>(header.vertices)))
       body.refuse(
           fmt::format("the face uses vertex {}, but there are only {} (0 to {}); export the mesh again",
                       index, header.vertices, header.vertices - 1));
+    face.push_back(static_cast<std::int32_t>(index));
   }
+  if (corners) mesh.add_face(face);
 }
 
-void check_rows(PlyBody& body, const PlyHeader& header) {
+void read_row(PlyBody& body, const PlyHeader& header, const PlyElement& element, PlyWriter& mesh) {
+  Vec3 p = Vec3::Zero();
+  for (const PlyProperty& property : element.properties) {
+    if (property.count_type != nullptr) {
+      read_list(body, header, property, is_corner_list(element, property), mesh);
+      continue;
+    }
+    const double value = body.read(*property.type);
+    if (element.name != "vertex" || property.name.size() != 1) continue;
+    if (!(std::abs(value) <= std::numeric_limits<float>::max()))
+      body.refuse(fmt::format("{} is not finite, expected a number; export the mesh again",
+                              TextLines::shown(property.name)));
+    const char axis = property.name[0];
+    if (axis >= 'x' && axis <= 'z') p[axis - 'x'] = value;
+  }
+  if (element.name == "vertex") mesh.add_vertex(p);
+}
+
+PlyWriter read_rows(PlyBody& body, const PlyHeader& header) {
+  PlyWriter mesh;
   for (const PlyElement& element : header.elements)
     for (std::int64_t row = 0; row < element.count; ++row) {
       body.begin_row(element, row);
-      for (const PlyProperty& property : element.properties) {
-        if (property.count_type != nullptr) {
-          check_list(body, header, property, is_corner_list(element, property));
-        } else if (const double value = body.read(*property.type);
-                   element.name == "vertex" && property.name.size() == 1 && !std::isfinite(value)) {
-          body.refuse(
-              fmt::format("{} is not finite, expected a number; export the mesh again", property.name));
-        }
-      }
+      read_row(body, header, element, mesh);
       body.end_row();
     }
+  return mesh;
 }
 
 }  // namespace
@@ -261,14 +280,15 @@ CheckedMeshFile check_ply(const std::filesystem::path& file, std::string_view co
   PlyHeader header = read_header(lines);
   const std::string_view rows = content.substr(lines.position());
   check_header(lines, header, rows.size());
+  PlyWriter mesh;
   if (header.format == "ascii") {
     TextBody body(lines);
-    check_rows(body, header);
+    mesh = read_rows(body, header);
   } else {
     BinaryBody body(file, rows, header.format == "binary_big_endian");
-    check_rows(body, header);
+    mesh = read_rows(body, header);
   }
-  return {static_cast<std::size_t>(header.faces), content, {}};
+  return {mesh.face_count(), mesh.content()};
 }
 
 }  // namespace eigengrasp

@@ -44,6 +44,7 @@ CheckedMeshFile check_binary(const std::filesystem::path& file, std::string_view
     fail("{}: has {} bytes, expected {} for the {} triangles of its header; it is cut off or not an STL file",
          file.string(), content.size(), expected, count);
   if (count == 0) fail("{}: has no triangles, expected a surface; export faces as well", file.string());
+  PlyWriter mesh;
   for (std::size_t t = 0; t < count; ++t) {
     float corners[9];  // after the normal
     std::memcpy(corners, content.data() + kHeader + kRecord * t + 12, sizeof corners);
@@ -51,8 +52,11 @@ CheckedMeshFile check_binary(const std::filesystem::path& file, std::string_view
       if (!std::isfinite(c))
         fail("{}: triangle {} has a corner that is not finite, expected numbers; export the mesh again",
              file.string(), t);
+    for (int k = 0; k < 3; ++k) mesh.add_vertex({corners[3 * k], corners[3 * k + 1], corners[3 * k + 2]});
+    const auto first = static_cast<std::int32_t>(3 * t);
+    mesh.add_face(std::array{first, first + 1, first + 2});
   }
-  return {count, content.substr(0, expected), {}};
+  return {count, mesh.content()};
 }
 
 /// Goes to the next line, which must begin with a keyword.
@@ -91,7 +95,7 @@ CheckedMeshFile check_text(const std::filesystem::path& file, std::string_view c
   if (inside) lines.fail_here("ends where \"endsolid\" was expected; the file is cut off");
   if (mesh.face_count() == 0)
     fail("{}: has no triangles, expected a surface; export faces as well", file.string());
-  return {mesh.face_count(), content, mesh.content()};
+  return {mesh.face_count(), mesh.content()};
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <assimp/Importer.hpp>
 #include <cctype>
 #include <cmath>
+#include <optional>
 #include <string_view>
 
 #include "eigengrasp/core/error.hpp"
@@ -25,8 +26,7 @@ namespace {
 
 constexpr std::array<std::string_view, 9> kEndings = {"obj", "stl", "ply", "off", "gltf",
                                                       "glb", "dae", "3ds", "fbx"};
-constexpr double kMaxReach = 1e6;               // [m]
-constexpr std::uintmax_t kMaxBytes = 1u << 30;  // of a file
+constexpr double kMaxReach = 1e6;  // [m]
 
 std::string ending_of(const fs::path& file) {
   std::string ending = file.extension().string();
@@ -48,9 +48,9 @@ void check_file(const fs::path& file) {
          file.string(), file.extension().string(), fmt::join(kEndings, ", "));
   const auto bytes = fs::file_size(file, ec);
   if (!ec && bytes == 0) fail("{}: is empty, expected a mesh; write the file again", file.string());
-  if (!ec && bytes > kMaxBytes)
+  if (!ec && bytes > kMaxFileBytes)
     fail("{}: has {} MB, expected at most {} MB; reduce the number of triangles", file.string(), bytes >> 20,
-         kMaxBytes >> 20);
+         kMaxFileBytes >> 20);
 }
 
 /// Post-processing of Assimp reads the vertices of a face without asking, so this must come first.
@@ -98,41 +98,32 @@ std::string first_line(std::string_view text) {
   return std::string(text.substr(0, text.find_first_of("\r\n")));
 }
 
-CheckedMeshFile check_content(const fs::path& file, const std::string& ending, std::string_view content) {
+/// The formats that are checked in full; no value for the others.
+std::optional<CheckedMeshFile> check_content(const fs::path& file, const std::string& ending,
+                                             std::string_view content) {
   if (ending == "obj") return check_obj(file, content);
   if (ending == "off") return check_off(file, content);
   if (ending == "stl") return check_stl(file, content);
   if (ending == "ply") return check_ply(file, content);
   if (ending == "gltf" || ending == "glb") return check_gltf(file, content);
-  return {std::nullopt, content, {}};
+  return std::nullopt;
 }
 
 /// Assimp drops faces that it cannot read; the check knows how many there are.
-void check_face_count(const aiScene& scene, const CheckedMeshFile& checked, const fs::path& file) {
-  if (!checked.faces) return;
+void check_face_count(const aiScene& scene, std::size_t expected, const fs::path& file) {
   std::size_t faces = 0;
   for (unsigned m = 0; m < scene.mNumMeshes; ++m)
     for (unsigned f = 0; f < scene.mMeshes[m]->mNumFaces; ++f)
       faces += scene.mMeshes[m]->mFaces[f].mNumIndices >= 3;
-  if (faces != *checked.faces)
+  if (faces != expected)
     fail("{}: has {} faces of which {} can be read, so it is damaged; export the mesh again", file.string(),
-         *checked.faces, faces);
-}
-
-/// Only glTF keeps its numbers in other files; the rest is read from memory, so that what was checked is what
-/// is read.
-const aiScene* read_scene(Assimp::Importer& importer, const fs::path& file, const std::string& ending,
-                          const CheckedMeshFile& checked) {
-  if (ending == "gltf") return importer.ReadFile(file.string(), 0);
-  if (!checked.as_ply.empty())
-    return importer.ReadFileFromMemory(checked.as_ply.data(), checked.as_ply.size(), 0, "ply");
-  return importer.ReadFileFromMemory(checked.content.data(), checked.content.size(), 0, ending.c_str());
+         expected, faces);
 }
 
 TriangleMesh import_mesh(const fs::path& file) {
   const std::string ending = ending_of(file);
   const std::string content = read_text_file(file);
-  const CheckedMeshFile checked = check_content(file, ending, content);
+  const std::optional<CheckedMeshFile> checked = check_content(file, ending, content);
   Assimp::Importer importer;
   importer.SetPropertyInteger(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, 1);
   importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS,
@@ -140,12 +131,14 @@ TriangleMesh import_mesh(const fs::path& file) {
                                   aiComponent_TEXCOORDS | aiComponent_COLORS | aiComponent_BONEWEIGHTS |
                                   aiComponent_ANIMATIONS | aiComponent_TEXTURES | aiComponent_LIGHTS |
                                   aiComponent_CAMERAS | aiComponent_MATERIALS);
-  const aiScene* scene = read_scene(importer, file, ending, checked);
+  const std::string& bytes = checked ? checked->as_ply : content;
+  const aiScene* scene =
+      importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, checked ? "ply" : ending.c_str());
   if (scene == nullptr)
     fail("{}: cannot be read as a mesh ({}); export it again", file.string(),
          first_line(importer.GetErrorString()));
   check_faces(*scene, file);
-  check_face_count(*scene, checked, file);
+  if (checked) check_face_count(*scene, checked->faces, file);
   scene = importer.ApplyPostProcessing(aiProcess_RemoveComponent | aiProcess_Triangulate);
   if (scene == nullptr || scene->mRootNode == nullptr)
     fail("{}: the polygons cannot be cut into triangles; export triangles", file.string());
