@@ -75,7 +75,6 @@ bool CollisionModel::links_hit(int a, int b, const std::vector<Pose>& X_OL) cons
   const double reach = sa.bound.radius + sb.bound.radius;
   if ((X_OA * sa.bound.center - cb_O).squaredNorm() > reach * reach) return false;
   const Pose X_AB = X_OA.inverse() * X_OB;
-  const Vec3 cb_A = X_AB * sb.bound.center;
   const Vec3 ca_B = X_AB.inverse() * sa.bound.center;
   for (const Sphere& s : sb.inner_spheres) {
     const double near_a = s.radius + sa.bound.radius;

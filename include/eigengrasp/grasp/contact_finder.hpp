@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The eigengrasp authors
+#pragma once
+
+#include <vector>
+
+#include "eigengrasp/grasp/collision_model.hpp"
+#include "eigengrasp/grasp/grasp.hpp"
+
+namespace eigengrasp {
+
+struct ContactOptions {
+  double threshold = 0.0002;         ///< surfaces nearer than this touch [m]
+  double merge = 0.003;              ///< points nearer than this are one [m]
+  double curvature_radius = 0.0035;  ///< size at which soft fingers feel the curvature [m]
+};
+
+/// Where the links of the hand touch the object. Each touching region is a patch: its points are the corners
+/// of the region's perimeter (the convex hull of the touching points in the plane of the contact), or one
+/// point where the region is smaller than options.merge. Friction after the materials; soft links get their
+/// torsion length from the curvature of both surfaces. Deterministic order: by link, then patch. @param X_OL
+/// poses of the links (n_links). Cost: 10-200 us a touching link.
+std::vector<GraspContact> find_contacts(const CollisionModel& model, const std::vector<Pose>& X_OL,
+                                        const ContactOptions& options = {});
+
+/// One touching pair of points with the direction in which the hand presses.
+struct TouchPoint {
+  Vec3 p;           ///< on the object [m]
+  Vec3 n;           ///< unit, out of the first surface (hand), into the second
+  double distance;  ///< [m]
+};
+
+/// Touching points of a posed surface (hand side) and a solid. In the frame of the solid.
+std::vector<TouchPoint> find_touch_points(const MeshBvh& solid, const MeshBvh& link, const Pose& X_SL,
+                                          double threshold);
+
+}  // namespace eigengrasp

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The eigengrasp authors
+#pragma once
+
+#include "eigengrasp/grasp/collision_model.hpp"
+
+namespace eigengrasp {
+
+struct ClosingOptions {
+  double contact_gap = 0.0001;  ///< a link whose distance is at most this touches [m]
+  double slide_step =
+      0.01;              ///< largest joint motion of a step while a link slides along what it touches [rad]
+  int max_steps = 5000;  ///< safety net; about 50-200 are needed
+};
+
+struct ClosedHand {
+  VecX joints;             ///< (n_joints) at the end
+  VecX dofs;               ///< (n_dof), see posture_of_joints
+  std::vector<Pose> X_OL;  ///< (n_links)
+  int steps = 0;
+  bool started_in_collision = false;  ///< then nothing was moved
+};
+
+/// "Close all fingers": every degree of freedom moves at its closing speed until contact with the object, an
+/// obstacle or another link, or a limit, stops it. A contact that its link's motion presses on stops all
+/// joints between that link and the base; the joints beyond go on. A rigid degree of freedom stops with the
+/// first of its joints, a break-away one lets each go on for itself. Contacts that slide or open do not stop
+/// anything. The wrist and the object stay where they are. By conservative advancement: steps as long as
+/// clearance over the largest speed of a link's points allows, so that nothing is ever passed through;
+/// contacts end within contact_gap, without penetration. Deterministic.
+/// @param posture (n_dof) of the pre-grasp, free of collision
+ClosedHand close_fingers(const CollisionModel& model, const Pose& X_OH, const VecX& posture,
+                         const ClosingOptions& options = {});
+
+}  // namespace eigengrasp

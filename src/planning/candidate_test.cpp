@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The eigengrasp authors
+#include "planning/candidate_test.hpp"
+
+#include "eigengrasp/grasp/contact_finder.hpp"
+#include "eigengrasp/kinematics/forward_kinematics.hpp"
+#include "eigengrasp/planning/finger_closing.hpp"
+
+namespace eigengrasp {
+
+namespace {
+
+constexpr double deepest_allowed = 0.0005;  // [m]
+
+NamedValues named_joints(const HandModel& hand, const VecX& joints) {
+  NamedValues named;
+  for (int j = 0; j < hand.n_joints(); ++j) {
+    const HandJoint& joint = hand.joints[static_cast<std::size_t>(j)];
+    if (joint.type != JointType::fixed) named.emplace_back(joint.name, joints[j]);
+  }
+  return named;
+}
+
+std::vector<ContactPoint> points_of(const std::vector<GraspContact>& contacts) {
+  std::vector<ContactPoint> points;
+  for (const GraspContact& c : contacts) points.push_back(c.point);
+  return points;
+}
+
+}  // namespace
+
+CandidateResult test_candidate(const CollisionModel& model, const GraspEnergy& energy,
+                               const PreGrasp& pregrasp) {
+  const HandModel& hand = *model.scene().hand;
+  CandidateResult result;
+  Grasp& g = result.grasp;
+  g.hand = hand.name;
+  g.object = model.scene().object->name;
+  g.X_OH_pregrasp = g.X_OH = pregrasp.X_OH;
+  g.pregrasp_dofs = pregrasp.dofs;
+  g.pregrasp_joints = named_joints(hand, joint_values(hand, pregrasp.dofs));
+  g.amplitudes = pregrasp.amplitudes;
+  g.energy = pregrasp.energy;
+
+  const ClosedHand closed = close_fingers(model, pregrasp.X_OH, pregrasp.dofs);
+  g.grasp_dofs = closed.dofs;
+  g.grasp_joints = named_joints(hand, closed.joints);
+  g.contacts = find_contacts(model, closed.X_OL);
+  if (g.contacts.empty()) return result;
+
+  const auto points = points_of(g.contacts);
+  const WrenchSpaceQuality quality = compute_epsilon(points, energy.wrench_space());
+  g.epsilon = quality.epsilon;
+  g.form_closure = quality.form_closure;
+  g.max_penetration = model.deepest_penetration(closed.X_OL);
+  if (g.max_penetration > deepest_allowed) {
+    g.form_closure = false;
+    result.outcome = CandidateOutcome::penetrating;
+    return result;
+  }
+  result.outcome = quality.form_closure ? CandidateOutcome::form_closed : CandidateOutcome::not_closed;
+  if (quality.form_closure) g.volume = compute_volume(points, energy.wrench_space());
+  return result;
+}
+
+bool make_exactly_legal(const CollisionModel& model, const GraspEnergy& energy, PreGrasp& pregrasp) {
+  constexpr double step = 0.00025;  // [m]
+  constexpr int most_steps = 8;
+  const HandModel& hand = *model.scene().hand;
+  const VecX joints = joint_values(hand, pregrasp.dofs);
+  std::vector<Pose> X_OL;
+  for (int i = 0; i <= most_steps; ++i) {
+    const Pose X_OH = pregrasp.X_OH * Eigen::Translation3d(-i * step * hand.approach_direction_H);
+    compute_link_poses(hand, joints, X_OH, X_OL);
+    if (model.check_exact(X_OL) != Legality::legal) continue;
+    std::vector<ContactApproach> approaches;
+    pregrasp.X_OH = X_OH;
+    pregrasp.energy = energy.evaluate(X_OL, DistanceSource::exact, approaches);
+    return true;
+  }
+  return false;
+}
+
+}  // namespace eigengrasp
