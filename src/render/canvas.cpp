@@ -139,17 +139,19 @@ std::string encode_png(const Image& image) {
   bool opaque = true;
   for (std::size_t i = 3; i < image.rgba.size() && opaque; i += 4) opaque = image.rgba[i] >= 1.0F;
   if (opaque) {  // the same pixels without the alpha channel
-    CanvasPtr rgb(cairo_image_surface_create_for_data(
-        cairo_image_surface_get_data(canvas.get()), CAIRO_FORMAT_RGB24, image.width, image.height,
-        cairo_image_surface_get_stride(canvas.get())));
+    CanvasPtr rgb(cairo_image_surface_create_for_data(cairo_image_surface_get_data(canvas.get()),
+                                                      CAIRO_FORMAT_RGB24, image.width, image.height,
+                                                      cairo_image_surface_get_stride(canvas.get())));
     std::string bytes;
     const cairo_status_t status = cairo_surface_write_to_png_stream(rgb.get(), append_bytes, &bytes);
-    if (status != CAIRO_STATUS_SUCCESS) fail("the picture cannot be encoded ({})", cairo_status_to_string(status));
+    if (status != CAIRO_STATUS_SUCCESS)
+      fail("the picture cannot be encoded ({})", cairo_status_to_string(status));
     return bytes;
   }
   std::string bytes;
   const cairo_status_t status = cairo_surface_write_to_png_stream(canvas.get(), append_bytes, &bytes);
-  if (status != CAIRO_STATUS_SUCCESS) fail("the picture cannot be encoded ({})", cairo_status_to_string(status));
+  if (status != CAIRO_STATUS_SUCCESS)
+    fail("the picture cannot be encoded ({})", cairo_status_to_string(status));
   return bytes;
 }
 

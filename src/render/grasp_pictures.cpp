@@ -37,7 +37,7 @@ class GraspDrawer {
       item.framed = false;
       item.interest = 0.0;
       item.fade_center_W = object_box_.center();
-      item.fade_radius = 1.4 * box.diagonal();
+      item.fade_radius = 0.95 * box.diagonal();
     }
     return tile;
   }
@@ -57,8 +57,7 @@ class GraspDrawer {
     std::vector<Vec3> points;
     for (const GraspContact& contact : grasp.contacts) points.push_back(contact.point.p_OC);
     const Vec3 direction = options_.view ? *options_.view : pick_view(tile.scene, points, up);
-    tile.camera =
-        frame_camera(tile.scene.framed_points(), direction, up, kDefaultFov, 1.0, kTileMargin);
+    tile.camera = frame_camera(tile.scene.framed_points(), direction, up, kDefaultFov, 1.0, kTileMargin);
   }
 
  private:
@@ -97,8 +96,8 @@ Image grasps_picture(const Scene& scene, std::span<const Grasp> grasps, const Pi
   PictureGrid grid;
   grid.columns = sheet_columns(grasps.size(), options);
   for (std::size_t i = 0; i < grasps.size(); ++i)
-    grid.captions.push_back(fmt::format("{}   {}{}", i + 1, rating(grasps[i]),
-                                        grasps[i].form_closure ? "" : "   not closed"));
+    grid.captions.push_back(
+        fmt::format("{}   {}{}", i + 1, rating(grasps[i]), grasps[i].form_closure ? "" : "   not closed"));
   grid.heading = heading_or(options, names(scene));
   grid.tiles = draw_tiles(tiles, options);
   return draw_grid(grid);

@@ -21,9 +21,13 @@ View view_of(const HandModel& hand, const PictureOptions& options) {
   return {options.view.value_or(hand_view(hand)), options.up.value_or(finger_direction(hand))};
 }
 
-std::string title_of(const HandModel& hand) { return hand.title.empty() ? hand.name : hand.title; }
+std::string title_of(const HandModel& hand) {
+  return hand.title.empty() ? hand.name : hand.title;
+}
 
-VecX rest_joints(const HandModel& hand) { return joint_values(hand, hand.rest_posture()); }
+VecX rest_joints(const HandModel& hand) {
+  return joint_values(hand, hand.rest_posture());
+}
 
 Camera frame(const RenderScene& scene, const View& view) {
   return frame_camera(scene.framed_points(), view.direction, view.up, kDefaultFov, 1.0, kTileMargin);
@@ -48,7 +52,7 @@ void add_virtual_contacts(RenderScene& scene, const HandModel& hand, const Palet
   }
 }
 
-/// Amplitude inside its range whose posture keeps the joint limits is not asked for: the posture is clamped.
+/// The hand at one amplitude of one eigengrasp, the others 0; joints stop at their limits.
 TileScene amplitude_scene(const DrawnHand& drawn, int eigengrasp, double amplitude,
                           const PictureOptions& options) {
   const HandModel& hand = drawn.hand();
@@ -109,7 +113,8 @@ Image hand_contacts_picture(const std::shared_ptr<const HandModel>& hand, const 
   return draw_grid(grid);
 }
 
-Image eigengrasp_picture(const std::shared_ptr<const HandModel>& hand, int rows, const PictureOptions& options) {
+Image eigengrasp_picture(const std::shared_ptr<const HandModel>& hand, int rows,
+                         const PictureOptions& options) {
   require_geometry(*hand);
   const EigengraspSpace& space = hand->eigengrasps;
   const int n = std::min(rows, space.size());
@@ -122,7 +127,8 @@ Image eigengrasp_picture(const std::shared_ptr<const HandModel>& hand, int rows,
     const std::string name = e.name.empty() ? fmt::format("eigengrasp {}", i + 1) : e.name;
     for (const double amplitude : {e.min, 0.0, e.max}) {
       tiles.push_back(amplitude_scene(drawn, i, amplitude, options));
-      grid.titles.push_back(amplitude == 0.0 ? "origin" : name);
+      const char* end = amplitude == e.min ? "smallest" : "largest";
+      grid.titles.push_back(amplitude == 0.0 ? "origin" : fmt::format("{}: {}", name, end));
       grid.captions.push_back(fmt::format("a{} = {:+.2f}", i + 1, amplitude));
     }
   }

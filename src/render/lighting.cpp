@@ -13,7 +13,7 @@ namespace eigengrasp {
 
 namespace {
 
-constexpr int kAmbientRays = 10;  // the other lanes look for the key light
+constexpr int kAmbientRays = 10;     // the other lanes look for the key light
 constexpr float kKeyRadius = 0.13F;  // tangent of the half angle under which the light is seen
 constexpr float kPi = std::numbers::pi_v<float>;
 
@@ -102,10 +102,10 @@ Vec3f Lighting::shade(const Vec3f& albedo, const Vec3f& normal, const Vec3f& to_
   const float sky = 0.5F + 0.5F * normal.dot(sky_);
   const float ambient = (0.26F + 0.16F * sky + 0.18F * fill) * seen.ambient;
   const Vec3f half = (key_ + to_viewer).normalized();
-  const float gloss = 0.07F * std::pow(std::max(0.0F, normal.dot(half)), 36.0F) * seen.key;
+  const float facing = normal.dot(half);
+  const float gloss = facing > 0.8F ? 0.07F * std::pow(facing, 36.0F) * seen.key : 0.0F;
   // The key light is a little warm, the sky a little cool.
-  const Vec3f light =
-      0.72F * key * Vec3f(1.02F, 1.0F, 0.97F) + ambient * Vec3f(0.98F, 1.0F, 1.03F);
+  const Vec3f light = 0.72F * key * Vec3f(1.02F, 1.0F, 0.97F) + ambient * Vec3f(0.98F, 1.0F, 1.03F);
   return albedo.cwiseProduct(light) + Vec3f::Constant(gloss);
 }
 

@@ -8,7 +8,9 @@ namespace eigengrasp {
 
 namespace {
 
-bool is_layer(const RenderItem& item) { return item.color.a < 1.0F || item.see_through > 0.0; }
+bool is_layer(const RenderItem& item) {
+  return item.color.a < 1.0F || item.see_through > 0.0;
+}
 
 /// A packet's common part of rtcIntersect16 and rtcOccluded16.
 void fill_packet(const Rays& rays, RTCRay16& packet, int* valid) {

@@ -5,6 +5,7 @@
 #include <embree3/rtcore.h>
 
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "surface.hpp"
@@ -16,10 +17,10 @@ inline constexpr int kLanes = 16;
 
 /// Where a ray meets a surface.
 struct SurfaceHit {
-  int item = -1;       ///< of the scene; -1: nothing
-  float distance = 0;  ///< in lengths of the ray's direction
-  Vec3f normal = Vec3f::UnitZ();     ///< unit, smooth, towards the viewer
-  Vec3f geometric = Vec3f::UnitZ();  ///< unit, of the triangle, towards the viewer
+  int item = -1;          ///< of the scene; -1: nothing, and the rest is not set
+  float distance = 0.0F;  ///< in lengths of the ray's direction
+  Vec3f normal;           ///< unit, smooth, towards the viewer
+  Vec3f geometric;        ///< unit, of the triangle, towards the viewer
 };
 
 struct Rays {

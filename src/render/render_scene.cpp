@@ -80,8 +80,7 @@ void RenderScene::add_arrow(const Vec3& from_W, const Vec3& direction_W, double 
 
 void RenderScene::add_floor(double z, double radius) {
   TriangleMesh square;
-  square.vertices = {
-      {-radius, -radius, z}, {radius, -radius, z}, {radius, radius, z}, {-radius, radius, z}};
+  square.vertices = {{-radius, -radius, z}, {radius, -radius, z}, {radius, radius, z}, {-radius, radius, z}};
   square.triangles = {{0, 1, 2}, {0, 2, 3}};
   RenderItem& item = add(square, Pose::Identity(), Color{1.0F, 1.0F, 1.0F, 1.0F});
   item.shadow_only = true;

@@ -29,6 +29,17 @@ struct Texel {
   Visibility smoothed;  ///< mean of like neighbours
 };
 
+/// What a ray sees in front of or through the solids.
+struct Layer {
+  Vec3f color;
+  float opacity;
+  int group;
+};
+struct LayerStack {
+  std::array<Layer, kMostLayers> layers;
+  int count = 0;
+};
+
 /// A pixel's samples.
 struct Samples {
   Rays rays;
@@ -54,6 +65,10 @@ class Renderer {
       furthest_ = static_cast<float>(middle + 0.5 * box.diagonal());
     }
     pixel_ = static_cast<float>(2.0 * std::tan(0.5 * camera.fov) / options.height);
+    const Vec3 corner = camera.ray_direction(-1.0, 1.0);
+    corner_direction_ = corner.cast<float>();
+    column_step_ = ((camera.ray_direction(1.0, 1.0) - corner) / options.width).cast<float>();
+    row_step_ = ((camera.ray_direction(-1.0, -1.0) - corner) / options.height).cast<float>();
   }
 
   Image run() {
@@ -75,10 +90,8 @@ class Renderer {
   bool inside(int x, int y) const { return x >= 0 && y >= 0 && x < options_.width && y < options_.height; }
 
   /// Unit direction of the ray through a place of the picture [pixel].
-  Vec3f direction(double x, double y) const {
-    const double u = 2.0 * x / options_.width - 1.0;
-    const double v = 1.0 - 2.0 * y / options_.height;
-    return camera_.ray_direction(u, v).normalized().cast<float>();
+  Vec3f direction(float x, float y) const {
+    return (corner_direction_ + x * column_step_ + y * row_step_).normalized();
   }
 
   void look(int y);
@@ -87,6 +100,8 @@ class Renderer {
   Visibility visibility_at(int x, int y, const Vec3f& p_W, const SurfaceHit& hit);
   Vec3f solid_color(int x, int y, const Vec3f& direction, const SurfaceHit& hit);
   void add_layers(Samples& samples) const;
+  bool push_layer(LayerStack& stack, const SurfaceHit& hit, const SurfaceHit& solid,
+                  const Vec3f& direction) const;
   float outline(const Samples& samples) const;
   void shade_pixel(int x, int y, Image& image);
 
@@ -100,7 +115,10 @@ class Renderer {
   Vec3f background_;
   float nearest_ = 0.0F;
   float furthest_ = 1.0F;
-  float pixel_ = 0.0F;  ///< side of a pixel at distance 1
+  float pixel_ = 0.0F;      ///< side of a pixel at distance 1
+  Vec3f corner_direction_;  ///< of the ray through the upper left corner of the picture
+  Vec3f column_step_;       ///< its change from pixel to pixel
+  Vec3f row_step_;
 };
 
 /// First hits and their visibility in a row.
@@ -112,7 +130,7 @@ void Renderer::look(int y) {
     for (int i = 0; i < kLanes; ++i) {
       const auto lane = static_cast<std::size_t>(i);
       rays.origins[lane] = eye;
-      rays.directions[lane] = direction(x0 + i + 0.5, y + 0.5);
+      rays.directions[lane] = direction(static_cast<float>(x0 + i) + 0.5F, static_cast<float>(y) + 0.5F);
       rays.active[lane] = x0 + i < options_.width;
     }
     scene_.trace_solids(rays, hits);
@@ -190,43 +208,42 @@ Vec3f Renderer::solid_color(int x, int y, const Vec3f& direction, const SurfaceH
 
 /// Lays translucent surfaces and markers over the solid colours.
 void Renderer::add_layers(Samples& samples) const {
-  struct Layer {
-    Vec3f color;
-    float opacity = 0.0F;
-  };
-  std::array<std::array<Layer, kMostLayers>, kLanes> layers;
-  std::array<std::vector<int>, kLanes> groups;
-  std::array<int, kLanes> counts{};
   Rays rays = samples.rays;
   std::array<SurfaceHit, kLanes> hits;
-  for (int pass = 0; pass < 4 * kMostLayers; ++pass) {
-    scene_.trace_layers(rays, hits);
-    bool any = false;
+  scene_.trace_layers(rays, hits);
+  if (std::none_of(hits.begin(), hits.end(), [](const SurfaceHit& hit) { return hit.item >= 0; })) return;
+  std::array<LayerStack, kLanes> stacks;
+  for (bool any = true; any; scene_.trace_layers(rays, hits)) {
+    any = false;
     for (std::size_t i = 0; i < kLanes; ++i) {
-      rays.active[i] = hits[i].item >= 0 && counts[i] < kMostLayers;
       if (!rays.active[i]) continue;
-      any = true;
+      rays.active[i] =
+          hits[i].item >= 0 && push_layer(stacks[i], hits[i], samples.hits[i], rays.directions[i]);
       rays.near[i] = hits[i].distance * (1.0F + 1e-5F);
-      const RenderItem& item = scene_.item(hits[i].item);
-      if (item.group >= 0) {
-        if (std::find(groups[i].begin(), groups[i].end(), item.group) != groups[i].end()) continue;
-        groups[i].push_back(item.group);
-      }
-      const bool behind = samples.hits[i].item >= 0 && hits[i].distance > samples.hits[i].distance;
-      const float opacity = item.color.a * (behind ? static_cast<float>(item.see_through) : 1.0F);
-      const Vec3f& albedo = albedos_[static_cast<std::size_t>(hits[i].item)];
-      layers[i][static_cast<std::size_t>(counts[i]++)] = {
-          lighting_.shade_marker(albedo, hits[i].normal, -rays.directions[i]), opacity};
-      // Nothing is seen behind an opaque marker.
-      if (opacity >= 1.0F) rays.active[i] = false;
+      any = any || rays.active[i];
     }
     if (!any) break;
   }
   for (std::size_t i = 0; i < kLanes; ++i)
-    for (int k = counts[i] - 1; k >= 0; --k) {
-      const Layer& layer = layers[i][static_cast<std::size_t>(k)];
+    for (int k = stacks[i].count - 1; k >= 0; --k) {
+      const Layer& layer = stacks[i].layers[static_cast<std::size_t>(k)];
       samples.colors[i] += layer.opacity * (layer.color - samples.colors[i]);
     }
+}
+
+/// Adds a hit to the layers before it, nearest first; returns whether anything may be seen behind it.
+bool Renderer::push_layer(LayerStack& stack, const SurfaceHit& hit, const SurfaceHit& solid,
+                          const Vec3f& direction) const {
+  const RenderItem& item = scene_.item(hit.item);
+  const bool behind = solid.item >= 0 && hit.distance > solid.distance;
+  const float opacity = item.color.a * (behind ? static_cast<float>(item.see_through) : 1.0F);
+  for (int k = 0; k < stack.count; ++k)
+    if (item.group >= 0 && stack.layers[static_cast<std::size_t>(k)].group == item.group) return true;
+  if (opacity <= 0.0F) return true;
+  const Vec3f& albedo = albedos_[static_cast<std::size_t>(hit.item)];
+  stack.layers[static_cast<std::size_t>(stack.count++)] = {
+      lighting_.shade_marker(albedo, hit.normal, -direction), opacity, item.group};
+  return opacity < 1.0F && stack.count < kMostLayers;
 }
 
 /// Largest where half of the pixel's samples see another surface than the first one: a line along
@@ -249,7 +266,9 @@ void Renderer::shade_pixel(int x, int y, Image& image) {
   for (int i = 0; i < kLanes; ++i) {
     const auto lane = static_cast<std::size_t>(i);
     samples.rays.origins[lane] = eye;
-    samples.rays.directions[lane] = direction(x + (i % kGrid + 0.5) / kGrid, y + (i / kGrid + 0.5) / kGrid);
+    const float dx = (static_cast<float>(i % kGrid) + 0.5F) / kGrid;
+    const float dy = (static_cast<float>(i / kGrid) + 0.5F) / kGrid;
+    samples.rays.directions[lane] = direction(static_cast<float>(x) + dx, static_cast<float>(y) + dy);
   }
   scene_.trace_solids(samples.rays, samples.hits);
   const auto n_hits = std::count_if(samples.hits.begin(), samples.hits.end(),

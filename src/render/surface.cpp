@@ -79,7 +79,8 @@ RTCDevice ray_device() {
 void check_ray_device() {
   const RTCError error = rtcGetDeviceError(ray_device());
   if (error != RTC_ERROR_NONE)
-    throw std::runtime_error(fmt::format("the ray tracing library reports error {}", static_cast<int>(error)));
+    throw std::runtime_error(
+        fmt::format("the ray tracing library reports error {}", static_cast<int>(error)));
 }
 
 std::vector<std::array<Vec3f, 3>> corner_normals(const TriangleMesh& mesh, double crease_angle) {

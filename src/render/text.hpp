@@ -22,8 +22,8 @@ struct TextPlace {
   double width = 0.0;     ///< most that it may take [pixel]
   double font = 12.0;     ///< [pixel]
   bool bold = false;
-  double grey = 0.0;      ///< 0: black
-  double anchor = 0.0;    ///< share of the text that stands left of x
+  double grey = 0.0;    ///< 0: black
+  double anchor = 0.0;  ///< share of the text that stands left of x
 };
 
 /// Draws a line; where it is too wide, first smaller (down to 0.7), then shortened with an ellipsis.

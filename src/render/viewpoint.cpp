@@ -11,6 +11,7 @@ namespace {
 
 constexpr int kRaster = 48;           // rays along each side of the coarse picture
 constexpr double kPointWeight = 1.5;  // of the points of interest against all items together
+constexpr double kSteepLoss = 0.15;   // of a view straight from above, which tells little of heights
 
 /// Rays of the coarse picture that meet each item.
 std::vector<int> count_hits(const RayScene& rays, const Camera& camera, std::size_t n_items) {
@@ -77,6 +78,7 @@ Vec3 pick_view(const RenderScene& scene, std::span<const Vec3> points_W, const V
   for (std::size_t c = 0; c < candidates.size(); ++c)
     for (std::size_t i = 0; i < n_items; ++i)
       scores[c] += scene.items()[i].interest / weights * counts[c][i] / most[i];
+  scores.back() -= kSteepLoss;
   // A tie within rounding goes to the earlier candidate.
   std::size_t best = 0;
   for (std::size_t c = 1; c < candidates.size(); ++c)

@@ -31,7 +31,8 @@ struct PictureOptions {
   int tile = 400;   ///< side of a tile [pixel]
   int columns = 0;  ///< of a grid; 0: as suits the number of tiles
   int threads = 0;  ///< 0: all. Does not change the picture
-  /// Direction of view (into the scene; frame of the object, or of the hand where there is none); none: picked.
+  /// Direction of view (into the scene; frame of the object, or of the hand where there is none); none:
+  /// picked.
   std::optional<Vec3> view;
   std::optional<Vec3> up;  ///< none: z of the object; of a hand alone the direction of its fingers
   bool friction_cones = false;
