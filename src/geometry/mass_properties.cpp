@@ -58,7 +58,7 @@ std::vector<Side> sorted_sides(const TriangleMesh& mesh) {
 /// Edges and components of a welded mesh.
 void inspect_topology(const TriangleMesh& mesh, MeshReport& report) {
   const std::vector<Side> sides = sorted_sides(mesh);
-  bool opposite = true;  // both sides of every edge walk against each other
+  bool closed = true;  // every edge is walked as often forwards as backwards
   report.consistent_orientation = true;
   for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {
     int forward = 0;
@@ -67,9 +67,9 @@ void inspect_topology(const TriangleMesh& mesh, MeshReport& report) {
     if (count == 1) ++report.boundary_edges;
     if (count > 2) ++report.non_manifold_edges;
     if (forward > 1 || count - forward > 1) report.consistent_orientation = false;
-    if (count != 2 || forward != 1) opposite = false;
+    if (2 * forward != count) closed = false;
   }
-  report.watertight = opposite && !sides.empty();
+  report.watertight = closed && !sides.empty();
 
   UnionFind sets(mesh.vertices.size());
   for (const auto& t : mesh.triangles) {

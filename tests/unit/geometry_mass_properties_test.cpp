@@ -89,6 +89,18 @@ TEST(MassProperties, AddOverComponents) {
               1e-12);
 }
 
+TEST(MassProperties, BoxesThatTouchInAnEdgeAreClosed) {
+  TriangleMesh mesh = box_shape();
+  TriangleMesh other = box_shape();
+  transform(other, make_pose(Eigen::Quaterniond::Identity(), Vec3(1, 1, 0)));
+  append(mesh, other);
+  const MeshReport report = inspect_mesh(mesh);
+  EXPECT_EQ(report.non_manifold_edges, 1);
+  EXPECT_TRUE(report.solid());
+  EXPECT_NEAR(report.volume, 2.0, 1e-14);
+  expect_near(report.volume_center, Vec3(1, 1, 0.5), 1e-14);
+}
+
 TEST(MassProperties, SoupIsWeldedFirst) {
   const MeshReport report = inspect_mesh(soup_of(box_shape()));
   EXPECT_TRUE(report.watertight);

@@ -8,7 +8,9 @@ namespace eigengrasp {
 
 /// What a mesh is as a solid.
 struct MeshReport {
-  bool watertight = false;  ///< every edge belongs to exactly two triangles, in opposite directions (welded)
+  /// Every edge is walked as often in one direction as in the other (welded), so that the volume integral does
+  /// not depend on its origin. True also where two sheets of a closed surface touch in an edge.
+  bool watertight = false;
   bool consistent_orientation = false;  ///< no two triangles walk an edge in the same direction
   int components = 0;                   ///< connected through shared (welded) vertices
   int boundary_edges = 0;
