@@ -27,7 +27,8 @@ endif()
 
 set(eigengrasp_data_folder ${CMAKE_INSTALL_DATADIR}/eigengrasp)
 foreach(kind hands objects)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/${kind} DESTINATION ${eigengrasp_data_folder})
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/${kind} DESTINATION ${eigengrasp_data_folder}
+          PATTERN shapes.yaml EXCLUDE)  # input of the mesh generator
 endforeach()
 
 set(eigengrasp_package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/eigengrasp)
