@@ -34,5 +34,8 @@ CheckedMeshFile check_stl(const std::filesystem::path& file, std::string_view co
 CheckedMeshFile check_ply(const std::filesystem::path& file, std::string_view content);
 /// Both kinds: a text, or a binary container that begins with "glTF".
 CheckedMeshFile check_gltf(const std::filesystem::path& file, std::string_view content);
+/// Looks at the tags, the counts and the lists of indices alone: what makes Assimp hang or ask for memory
+/// without bound.
+void check_dae(const std::filesystem::path& file, std::string_view content);
 
 }  // namespace eigengrasp

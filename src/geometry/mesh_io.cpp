@@ -106,6 +106,7 @@ std::optional<CheckedMeshFile> check_content(const fs::path& file, const std::st
   if (ending == "stl") return check_stl(file, content);
   if (ending == "ply") return check_ply(file, content);
   if (ending == "gltf" || ending == "glb") return check_gltf(file, content);
+  if (ending == "dae") check_dae(file, content);
   return std::nullopt;
 }
 

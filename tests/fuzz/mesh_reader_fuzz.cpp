@@ -50,7 +50,7 @@ fs::path scratch_file(const char* ending) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  for (const char* ending : {"obj", "off", "stl", "ply", "gltf", "glb"}) {
+  for (const char* ending : {"obj", "off", "stl", "ply", "gltf", "glb", "dae"}) {
     const fs::path file = scratch_file(ending);
     std::ofstream(file, std::ios::binary).write(reinterpret_cast<const char*>(data), std::streamsize(size));
     reads(file);

@@ -17,11 +17,13 @@ struct MeshReadOptions {
   double scale = 1.0;  ///< vertices are multiplied by this: units and user scale together
 };
 
-/// Reads OBJ, STL, PLY, OFF, glTF/GLB and what else Assimp reads, as one triangle mesh in the file's own
-/// frame, welded exactly. Polygons are triangulated; lines and points are dropped. Not for Open Inventor (see
-/// model_io).
-/// @throws Error with the file's name for a missing, unreadable, truncated or empty file, non-finite
-/// vertices, faces that index beyond the vertices, or a size beyond 1000 km.
+/// Reads OBJ, STL, PLY, OFF and glTF/GLB, checked in full, and COLLADA, 3DS and FBX as Assimp reads them, as
+/// one triangle mesh in the file's own frame (axes as written; nodes placed), welded exactly. A unit that a
+/// COLLADA file states is applied. Polygons are triangulated; lines and points are dropped. Coordinates have
+/// single precision. Not for Open Inventor (see model_io).
+/// @throws Error with the file's name (and line, of a text) for a missing, unreadable, truncated or empty
+/// file, non-finite vertices, faces that index beyond the vertices or have more than 512 corners, more than
+/// 1 GiB or 20 million triangles, or a size beyond 1000 km.
 TriangleMesh load_mesh(const std::filesystem::path& file, const MeshReadOptions& options = {});
 
 /// Whether load_mesh knows the file name's ending.
