@@ -43,9 +43,9 @@ Pose read_rotation(const XmlElement& element) {
 Pose read_rotation_matrix(const XmlElement& element) {
   const auto v = element.numbers(9);
   Mat3 R;
-  R << v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8];
+  R << v[0], v[3], v[6], v[1], v[4], v[7], v[2], v[5], v[8];  // by columns
   if ((R * R.transpose() - Mat3::Identity()).norm() > 0.02 || R.determinant() < 0.0) {
-    element.fail("<rotationMatrix> is \"{}\", expected the 9 numbers of a rotation by rows",
+    element.fail("<rotationMatrix> is \"{}\", expected the 9 numbers of a rotation by columns",
                  shown(element.text()));
   }
   // Written with a few digits: through a quaternion it becomes a rotation again.

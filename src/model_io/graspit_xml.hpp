@@ -11,7 +11,7 @@
 namespace eigengrasp {
 
 /// The <transform> of GraspIt!: its <translation> (mm), <rotation> ("degrees axis"), <rotationMatrix> (by
-/// rows) and <fullTransform> ("(w x y z)[x y z]") multiplied in their order [m].
+/// columns) and <fullTransform> ("(w x y z)[x y z]") multiplied in their order [m].
 Pose read_graspit_transform(const XmlElement& transform);
 
 /// `d2*0.33+40`: which degree of freedom, ratio and offset in the file's unit.

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The eigengrasp authors
 #pragma once
 
-#include <string>
+#include <fmt/format.h>
 
 #include "eigengrasp/core/random.hpp"
 #include "eigengrasp/kinematics/hand_model.hpp"
@@ -26,7 +26,7 @@ inline HandModel random_hand(std::uint64_t seed, int n_joints) {
   hand.links.push_back({.name = "base", .mesh = {}, .material = {}, .mass = 0.0});
   for (int j = 0; j < n_joints; ++j) {
     HandJoint joint;
-    joint.name = "j" + std::to_string(j);
+    joint.name = fmt::format("j{}", j);
     joint.parent_link = static_cast<int>(random.uniform(0.0, j + 1.0));
     joint.X_PJ = random_pose(random, 0.05);
     joint.axis_J = random_unit(random);
@@ -36,7 +36,7 @@ inline HandModel random_hand(std::uint64_t seed, int n_joints) {
       const bool couple = hand.n_dof() > 0 && random.uniform() < 0.3;
       joint.dof = couple ? static_cast<int>(random.uniform(0.0, hand.n_dof())) : hand.n_dof();
       if (!couple) {
-        hand.dofs.push_back({"d" + std::to_string(joint.dof), DofType::rigid, -1.0, 1.0, 0.1,
+        hand.dofs.push_back({fmt::format("d{}", joint.dof), DofType::rigid, -1.0, 1.0, 0.1,
                              random.uniform() < 0.5 ? 1.0 : -1.0});
       }
       joint.ratio = couple ? random.uniform(0.2, 1.5) : 1.0;
@@ -45,7 +45,7 @@ inline HandModel random_hand(std::uint64_t seed, int n_joints) {
       joint.max = 2.0;
     }
     hand.joints.push_back(joint);
-    hand.links.push_back({.name = "l" + std::to_string(j + 1), .mesh = {}, .material = {}, .mass = 0.0});
+    hand.links.push_back({.name = fmt::format("l{}", j + 1), .mesh = {}, .material = {}, .mass = 0.0});
   }
   hand.eigengrasps =
       EigengraspSpace::identity(VecX::Zero(hand.n_dof()), hand.dof_min(), hand.dof_max(), hand.dof_names());

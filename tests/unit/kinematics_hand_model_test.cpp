@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +25,7 @@ HandModel small_hand() {
   hand.joints.resize(4);
   const int parents[] = {0, 1, 2, 0};
   for (int j = 0; j < 4; ++j) {
-    hand.joints[static_cast<std::size_t>(j)].name = "j" + std::to_string(j);
+    hand.joints[static_cast<std::size_t>(j)].name = fmt::format("j{}", j);
     hand.joints[static_cast<std::size_t>(j)].parent_link = parents[j];
     hand.joints[static_cast<std::size_t>(j)].dof = 0;
   }

@@ -14,11 +14,11 @@ struct HandReadOptions {
   /// false: kinematics only. Links have no meshes, and no pair of links is tested for collision.
   bool load_meshes = true;
   /// GraspIt! robots: files of virtual contacts that replace those of the robot file; all are used together.
-  std::vector<std::filesystem::path> graspit_contact_files;
+  std::vector<std::filesystem::path> graspit_contact_files = {};
   /// GraspIt! robots: file of eigengrasps that replaces that of the robot file.
-  std::filesystem::path graspit_eigengrasp_file;
+  std::filesystem::path graspit_eigengrasp_file = {};
   /// Hears what was assumed where a file says nothing.
-  LogSink log;
+  LogSink log = {};
 };
 
 /// Reads a hand:

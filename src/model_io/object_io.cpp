@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The eigengrasp authors
+#include "eigengrasp/model_io/object_io.hpp"
+
+#include "eigengrasp/core/error.hpp"
+#include "eigengrasp/geometry/mesh_io.hpp"
+#include "eigengrasp/model_io/graspit_io.hpp"
+#include "model_io/text_values.hpp"
+
+namespace eigengrasp {
+
+namespace {
+
+ObjectModel load_by_kind(const std::filesystem::path& file, const ObjectReadOptions& options) {
+  const std::string ending = lower_extension(file.string());
+  const bool inventor = ending == ".iv" || ending == ".wrl" || ending == ".vrml";
+  const bool graspit = ending == ".xml";
+  const std::string units = !options.units.empty() ? options.units : inventor || graspit ? "mm" : "m";
+  const double scale = unit_length(units) * options.scale;
+  if (graspit) return load_graspit_body(file, scale);
+  if (inventor) return make_object(file.stem().string(), load_inventor(file, scale));
+  if (is_mesh_file(file)) return make_object(file.stem().string(), load_mesh(file, {.scale = scale}));
+  fail(
+      "{}: ends in \"{}\", expected a mesh (such as .obj, .stl, .ply, .off, .glb), .iv, .wrl or a GraspIt! "
+      ".xml",
+      file.string(), ending);
+}
+
+}  // namespace
+
+ObjectModel load_object(const std::filesystem::path& file, const ObjectReadOptions& options) {
+  std::error_code ec;
+  if (!std::filesystem::exists(file, ec))
+    fail("{}: does not exist, expected a file of an object", file.string());
+  if (!std::isfinite(options.scale) || options.scale <= 0.0) {
+    fail("the scale is {}, expected a positive number", options.scale);
+  }
+  ObjectModel object = load_by_kind(file, options);
+  object.source = file;
+  if (!options.name.empty()) object.name = options.name;
+  if (!options.material.empty()) object.material = options.material;
+  return object;
+}
+
+}  // namespace eigengrasp
