@@ -6,9 +6,8 @@
 
 #include <cstdio>
 #include <eigengrasp/core/error.hpp>
-#include <eigengrasp/geometry/mesh_io.hpp>
-#include <eigengrasp/geometry/object_model.hpp>
 #include <eigengrasp/model_io/hand_io.hpp>
+#include <eigengrasp/model_io/object_io.hpp>
 #include <eigengrasp/planning/grasp_planner.hpp>
 #include <filesystem>
 #include <memory>
@@ -21,7 +20,7 @@ eigengrasp::Scene make_scene(const std::string& hand, const std::string& object)
   eigengrasp::Scene scene;
   scene.hand = std::make_shared<const eigengrasp::HandModel>(eigengrasp::load_hand(share / "hands" / hand));
   scene.object = std::make_shared<const eigengrasp::ObjectModel>(
-      eigengrasp::make_object(object, eigengrasp::load_mesh(share / "objects" / (object + ".obj"))));
+      eigengrasp::load_object(share / "objects" / (object + ".obj")));
   return scene;
 }
 
