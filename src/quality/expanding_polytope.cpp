@@ -15,6 +15,13 @@ constexpr double kOutward = 1e-12;   // a support point that is higher over its 
 constexpr double kVisible = 1e-13;   // a facet sees points that are higher
 constexpr double kPlaneDrift = 1e-14;
 
+// A facet across a ridge, and the slot of that facet's vertex that is not on the ridge. ~facet, negative, while
+// the ridge is on the horizon of the vertex in hand.
+constexpr std::int32_t kUnlinked = std::numeric_limits<std::int32_t>::min();
+constexpr std::int32_t link(std::int32_t facet, std::int32_t slot) { return facet * 8 + slot; }
+constexpr std::int32_t facet_of(std::int32_t across) { return across >> 3; }
+constexpr std::int32_t slot_of(std::int32_t across) { return across & 7; }
+
 constexpr std::size_t kMaxFacets = 1'000'000;  // work limit: about a second
 
 }  // namespace
@@ -44,7 +51,7 @@ DistanceBounds ExpandingPolytope::compute_distance(const WrenchSupport& set, con
   Vec6 w;
   while (true) {
     const bool any = pop_least(least);
-    const double lower = any ? std::min(least.offset, upper_) : upper_;
+    const double lower = any ? std::min(least.offset, upper_) : upper_ - prune_;
     if (upper_ <= 0.0) return {};
     if (!any || lower >= upper_ - prune_ || upper_ < goal.threshold || lower >= goal.threshold) {
       return {std::max(lower, 0.0), upper_, true};
@@ -52,9 +59,9 @@ DistanceBounds ExpandingPolytope::compute_distance(const WrenchSupport& set, con
     if (n_created_ > kMaxFacets) return {std::max(lower, 0.0), upper_, false};
     Facet& facet = facets_[static_cast<std::size_t>(least.facet)];
     if (plane_error(facet) > kPlaneDrift * scale_) refine(facet);
-    const double h = probe(normal(facet), w);
+    probe(normal(facet), w);
     // A facet that the set does not reach over is part of the set's own boundary; it stays, but is done.
-    if (h - facet.plane[6] > kOutward * scale_) expand(least.facet, w);
+    if (compute_height(facet, w) > kOutward * scale_) expand(least.facet, w);
   }
 }
 
@@ -135,7 +142,8 @@ void ExpandingPolytope::make_simplex_facets() {
     for (int v = 0; v < 7; ++v) {
       if (v == i) continue;
       f.vertex[slot] = v;
-      f.neighbour[slot++] = v;  // the facet opposite of vertex v has number v
+      // The facet opposite of vertex v has number v and keeps vertex i in the slot that leaves out v.
+      f.across[slot++] = link(v, i < v ? i : i - 1);
     }
   }
   for (int i = 0; i < 7; ++i) push(i);
@@ -199,15 +207,16 @@ void ExpandingPolytope::find_visible(std::int32_t seed, const Vec6& w) {
   for (std::size_t i = 0; i < visible_.size(); ++i) {
     const std::int32_t id = visible_[i];
     for (std::int32_t slot = 0; slot < kDim; ++slot) {
-      const std::int32_t other =
-          facets_[static_cast<std::size_t>(id)].neighbour[static_cast<std::size_t>(slot)];
+      const std::int32_t across =
+          facets_[static_cast<std::size_t>(id)].across[static_cast<std::size_t>(slot)];
+      const std::int32_t other = facet_of(across);
       Facet& g = facets_[static_cast<std::size_t>(other)];
       if (g.seen != step_) {
         g.seen = step_;
         g.height = compute_height(g, w);
         if (g.height > threshold) visible_.push_back(other);
       }
-      if (!(g.height > threshold)) horizon_.push_back({id, other, slot, -1});
+      if (!(g.height > threshold)) horizon_.push_back({id, slot, across, -1});
     }
   }
 }
@@ -216,7 +225,7 @@ std::int32_t ExpandingPolytope::make_facet(const HorizonRidge& ridge, std::int32
   const std::int32_t id = allocate_facet();
   Facet& made = facets_[static_cast<std::size_t>(id)];
   Facet& visible = facets_[static_cast<std::size_t>(ridge.visible)];
-  Facet& hidden = facets_[static_cast<std::size_t>(ridge.hidden)];
+  Facet& hidden = facets_[static_cast<std::size_t>(facet_of(ridge.hidden))];
   const auto slot = static_cast<std::size_t>(ridge.slot);
   const double share_hidden = visible.height;
   const double share_visible = std::max(0.0, -hidden.height);
@@ -230,10 +239,10 @@ std::int32_t ExpandingPolytope::make_facet(const HorizonRidge& ridge, std::int32
   for (std::size_t k = 0; k < 7; ++k) made.plane[k] *= factor;
   made.vertex = visible.vertex;
   made.vertex[slot] = vertex;
-  made.neighbour.fill(-1);
-  made.neighbour[slot] = ridge.hidden;
-  visible.neighbour[slot] = ~id;
-  *std::find(hidden.neighbour.begin(), hidden.neighbour.end() - 1, ridge.visible) = id;
+  made.across.fill(kUnlinked);
+  made.across[slot] = ridge.hidden;
+  visible.across[slot] = ~id;
+  hidden.across[static_cast<std::size_t>(slot_of(ridge.hidden))] = link(id, ridge.slot);
   return id;
 }
 
@@ -241,25 +250,20 @@ std::int32_t ExpandingPolytope::make_facet(const HorizonRidge& ridge, std::int32
 // is the new facet at the other end of the fan of visible facets about that sub-ridge.
 void ExpandingPolytope::link_around(const HorizonRidge& ridge) {
   Facet& made = facets_[static_cast<std::size_t>(ridge.made)];
-  for (std::size_t j = 0; j < kDim; ++j) {
-    if (made.neighbour[j] >= 0) continue;
-    std::int32_t previous = ridge.visible;
-    const Facet* fan = &facets_[static_cast<std::size_t>(previous)];
-    std::size_t gained = static_cast<std::size_t>(ridge.slot);  // slot of the vertex that turns with the fan
-    std::size_t dropped = j;
-    std::int32_t next = fan->neighbour[dropped];
+  for (std::int32_t j = 0; j < kDim; ++j) {
+    if (made.across[static_cast<std::size_t>(j)] != kUnlinked) continue;
+    const Facet* fan = &facets_[static_cast<std::size_t>(ridge.visible)];
+    std::int32_t gained = ridge.slot;  // slot of the vertex that the last turn of the fan has brought
+    std::int32_t next = fan->across[static_cast<std::size_t>(j)];
     while (next >= 0) {
-      const std::int32_t pivot = fan->vertex[gained];
-      fan = &facets_[static_cast<std::size_t>(next)];
-      gained = static_cast<std::size_t>(
-          std::find(fan->neighbour.begin(), fan->neighbour.end() - 1, previous) - fan->neighbour.begin());
-      dropped = static_cast<std::size_t>(std::find(fan->vertex.begin(), fan->vertex.end() - 1, pivot) -
-                                         fan->vertex.begin());
-      previous = next;
-      next = fan->neighbour[dropped];
+      const std::int32_t pivot = fan->vertex[static_cast<std::size_t>(gained)];
+      fan = &facets_[static_cast<std::size_t>(facet_of(next))];
+      gained = slot_of(next);
+      const auto dropped = std::find(fan->vertex.begin(), fan->vertex.end() - 1, pivot) - fan->vertex.begin();
+      next = fan->across[static_cast<std::size_t>(dropped)];
     }
-    made.neighbour[j] = ~next;
-    facets_[static_cast<std::size_t>(~next)].neighbour[gained] = ridge.made;
+    made.across[static_cast<std::size_t>(j)] = link(~next, gained);
+    facets_[static_cast<std::size_t>(~next)].across[static_cast<std::size_t>(gained)] = link(ridge.made, j);
   }
 }
 

@@ -49,7 +49,7 @@ class ExpandingPolytope {
   struct alignas(64) Facet {
     std::array<double, 8> plane;               // unit normal, offset, 0: normal . x <= offset inside
     std::array<std::int32_t, kDim> vertex;
-    std::array<std::int32_t, kDim> neighbour;  // opposite of the vertex; ~new while its ridge is on the horizon
+    std::array<std::int32_t, kDim> across;     // what lies across the ridge without the vertex of the slot
     double height;                             // of the vertex in hand, computed in step seen
     std::uint32_t seen;                        // step in which height was computed
     std::uint32_t serial;                      // tells a reused slot from the facet that the queue means
@@ -62,9 +62,9 @@ class ExpandingPolytope {
   };
   struct HorizonRidge {
     std::int32_t visible;
-    std::int32_t hidden;
-    std::int32_t slot;  // of the visible facet's vertex that is not on the ridge
-    std::int32_t made;
+    std::int32_t slot;    // of the visible facet's vertex that is not on the ridge
+    std::int32_t hidden;  // link to the hidden facet
+    std::int32_t made;    // the new facet
   };
 
   double probe(const Vec6& u, Vec6& w);

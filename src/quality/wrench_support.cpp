@@ -97,7 +97,8 @@ double ConeSupport::Cone::support(const Vec6& u) const {
 void ConeSupport::Cone::add_point(const Vec6& u, Vec6& w) const {
   const Vec3 u_tau = u.tail<3>();
   const Vec3 a = u.head<3>() + u_tau.cross(lever);
-  const Vec3 tangential = a - a.dot(n) * n;
+  Vec3 tangential = a - a.dot(n) * n;
+  tangential -= tangential.dot(n) * n;  // again: it may be short, and is made long
   const double torsion = spin * u_tau.dot(n);
   const double length = std::sqrt(tangential.squaredNorm() + torsion * torsion);
   const double factor = length > 0.0 ? mu / length : 0.0;
