@@ -38,11 +38,12 @@ std::vector<std::vector<std::int32_t>> fans_of(const TriangleMesh& mesh) {
   return fans;
 }
 
-Vec3 projected(const Solid& solid, Vec3 p, double max_step, int iterations) {
+/// Along the gradient g, taken anew only where `renew`.
+Vec3 projected(const Solid& solid, Vec3 p, Vec3 g, double max_step, int iterations, bool renew) {
   for (int i = 0; i < iterations; ++i) {
     const double d = solid(p);
-    if (std::abs(d) < 1e-9) break;
-    const Vec3 g = gradient(solid, p);
+    if (std::abs(d) < 1e-8) break;
+    if (renew && i > 0) g = gradient(solid, p);
     const double g2 = g.squaredNorm();
     if (g2 < 1e-4) break;
     Vec3 step = -d / g2 * g;
@@ -88,7 +89,7 @@ Vec3 feature_point(const TriangleMesh& mesh, const Solid& solid, const std::vect
   Vec3 b = Vec3::Zero();
   for (const std::int32_t t : fan) {
     const Vec3 c = (mesh.corner(at(t), 0) + mesh.corner(at(t), 1) + mesh.corner(at(t), 2)) / 3.0;
-    const Vec3 q = projected(solid, c, reach, 2);
+    const Vec3 q = projected(solid, c, gradient(solid, c), reach, 2, false);
     const Vec3 g = gradient(solid, q);
     if (g.norm() < 0.1) continue;
     const Vec3 n = g.normalized();
@@ -110,7 +111,8 @@ Vec3 feature_point(const TriangleMesh& mesh, const Solid& solid, const std::vect
 
 void project(TriangleMesh& mesh, const Solid& solid, double max_step, int iterations, int n_threads) {
   for_each_vertex(mesh, n_threads, [&](std::size_t v) {
-    mesh.vertices[v] = projected(solid, mesh.vertices[v], max_step, iterations);
+    Vec3& p = mesh.vertices[v];
+    p = projected(solid, p, gradient(solid, p), max_step, iterations, true);
   });
 }
 
@@ -130,7 +132,7 @@ void relax(TriangleMesh& mesh, const Solid& solid, double max_step, int iteratio
       const Vec3 g = gradient(solid, p);
       Vec3 step = mean - p;
       if (g.squaredNorm() > 1e-4) step -= g * (g.dot(step) / g.squaredNorm());
-      const Vec3 q = projected(solid, p + 0.6 * step, max_step, 3);
+      const Vec3 q = projected(solid, p + 0.6 * step, g, max_step, 2, false);
       if ((q - p).norm() < 4.0 * max_step) next[v] = q;
     });
     apply(mesh, fans, next);

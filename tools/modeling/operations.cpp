@@ -31,22 +31,31 @@ Box joined(Box a, const Box& b) {
   return a;
 }
 
+/// Distance [m] to the box, 0 inside: no point of the solid in it is nearer. Solids whose box is far are not
+/// asked.
+double box_distance(const Box& box, const Vec3& p) {
+  return (box.min - p).cwiseMax(p - box.max).cwiseMax(0.0).norm();
+}
+
+/// From here on the box alone stands for an intersection.
+double far_from(const Box& box, double blend) {
+  return blend + 0.05 * box.diagonal();
+}
+
 }  // namespace
 
 Vec3 gradient(const Solid& solid, const Vec3& p, double h) {
-  Vec3 g;
-  for (int k = 0; k < 3; ++k) {
-    Vec3 q = p;
-    q[k] = p[k] + h;
-    const double high = solid(q);
-    q[k] = p[k] - h;
-    g[k] = (high - solid(q)) / (2.0 * h);
-  }
+  // Four corners of a tetrahedron: exact for linear functions, two evaluations fewer than central
+  // differences.
+  static const Vec3 corners[] = {{1, -1, -1}, {-1, -1, 1}, {-1, 1, -1}, {1, 1, 1}};
+  Vec3 g = Vec3::Zero();
+  for (const Vec3& c : corners) g += c * solid(p + h * c);
+  g /= 4.0 * h;
   return g;
 }
 
 Solid unite(const Solid& a, const Solid& b) {
-  return {[a, b](const Vec3& p) { return std::min(a(p), b(p)); }, joined(a.box, b.box)};
+  return unite(std::vector<Solid>{a, b});
 }
 
 Solid unite(const std::vector<Solid>& solids) {
@@ -55,31 +64,54 @@ Solid unite(const std::vector<Solid>& solids) {
   for (const Solid& s : solids) box.add(s.box);
   return {[solids](const Vec3& p) {
             double d = solids.front()(p);
-            for (std::size_t i = 1; i < solids.size(); ++i) d = std::min(d, solids[i](p));
+            for (std::size_t i = 1; i < solids.size(); ++i) {
+              if (box_distance(solids[i].box, p) < d) d = std::min(d, solids[i](p));
+            }
             return d;
           },
           box};
 }
 
 Solid smooth_unite(const Solid& a, const Solid& b, double blend) {
-  return {[a, b, blend](const Vec3& p) { return blended_min(a(p), b(p), blend); },
+  return {[a, b, blend](const Vec3& p) {
+            const double d = a(p);
+            return box_distance(b.box, p) > d + blend ? d : blended_min(d, b(p), blend);
+          },
           grown(joined(a.box, b.box), 0.25 * blend)};
 }
 
 Solid subtract(const Solid& a, const Solid& b) {
-  return {[a, b](const Vec3& p) { return std::max(a(p), -b(p)); }, a.box};
+  return {[a, b](const Vec3& p) {
+            const double d = a(p);
+            return box_distance(b.box, p) > std::max(0.0, -d) ? d : std::max(d, -b(p));
+          },
+          a.box};
 }
 
 Solid smooth_subtract(const Solid& a, const Solid& b, double blend) {
-  return {[a, b, blend](const Vec3& p) { return -blended_min(-a(p), b(p), blend); }, a.box};
+  return {[a, b, blend](const Vec3& p) {
+            const double d = a(p);
+            return box_distance(b.box, p) > std::max(0.0, blend - d) ? d : -blended_min(-d, b(p), blend);
+          },
+          a.box};
 }
 
 Solid intersect(const Solid& a, const Solid& b) {
-  return {[a, b](const Vec3& p) { return std::max(a(p), b(p)); }, common(a.box, b.box)};
+  const Box box = common(a.box, b.box);
+  return {[a, b, box](const Vec3& p) {
+            const double away = box_distance(box, p);
+            return away > far_from(box, 0.0) ? away : std::max(a(p), b(p));
+          },
+          box};
 }
 
 Solid smooth_intersect(const Solid& a, const Solid& b, double blend) {
-  return {[a, b, blend](const Vec3& p) { return -blended_min(-a(p), -b(p), blend); }, common(a.box, b.box)};
+  const Box box = common(a.box, b.box);
+  return {[a, b, blend, box](const Vec3& p) {
+            const double away = box_distance(box, p);
+            return away > far_from(box, blend) ? away : -blended_min(-a(p), -b(p), blend);
+          },
+          box};
 }
 
 Solid move(const Solid& solid, const Pose& X_PS) {

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The eigengrasp authors
 #include "modeling/polygonise.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <unordered_map>
@@ -35,27 +36,47 @@ struct Grid {
   }
 };
 
-Grid sample(const Solid& solid, double cell, int n_threads) {
+Grid make_grid(const Solid& solid, double cell) {
   Grid grid;
   grid.cell = cell;
-  std::size_t total = 1;
   for (int axis = 0; axis < 3; ++axis) {
     const auto steps = std::ceil(solid.box.size()[axis] / cell) + 4.0;
     grid.count[static_cast<std::size_t>(axis)] = static_cast<std::size_t>(steps) + 1;
-    total *= grid.count[static_cast<std::size_t>(axis)];
     // Off the round numbers, where designs like to put planes.
     grid.origin[axis] = solid.box.center()[axis] - 0.5 * steps * cell + 0.013 * cell * (axis + 1);
   }
-  grid.value.resize(total);
-  parallel_for(grid.count[2], n_threads, [&](std::size_t k, int) {
-    for (std::size_t j = 0; j < grid.count[1]; ++j) {
-      for (std::size_t i = 0; i < grid.count[0]; ++i) {
+  grid.value.resize(grid.count[0] * grid.count[1] * grid.count[2]);
+  return grid;
+}
+
+/// Nodes [begin, begin + 4) along each axis; where the middle is far from the surface its value stands for
+/// all.
+void sample_block(const Solid& solid, Grid& grid, const std::array<std::size_t, 3>& begin) {
+  constexpr std::size_t width = 4;
+  std::array<std::size_t, 3> end{};
+  for (std::size_t a = 0; a < 3; ++a) end[a] = std::min(begin[a] + width, grid.count[a]);
+  const Vec3 middle = grid.node(grid.index(begin[0], begin[1], begin[2])) + Vec3::Constant(1.5 * grid.cell);
+  const double there = solid(middle);
+  // The corners are 2.6 cells away; twice that, as distances may be of first order only.
+  const bool far = std::abs(there) > 5.5 * grid.cell;
+  for (std::size_t k = begin[2]; k < end[2]; ++k) {
+    for (std::size_t j = begin[1]; j < end[1]; ++j) {
+      for (std::size_t i = begin[0]; i < end[0]; ++i) {
         const std::size_t n = grid.index(i, j, k);
-        grid.value[n] = solid(grid.node(n));
+        grid.value[n] = far ? there : solid(grid.node(n));
         if (grid.value[n] < 0.0 && grid.on_border(i, j, k)) {
           throw std::logic_error("polygonise: the surface leaves the box of the solid");
         }
       }
+    }
+  }
+}
+
+Grid sample(const Solid& solid, double cell, int n_threads) {
+  Grid grid = make_grid(solid, cell);
+  parallel_for((grid.count[2] + 3) / 4, n_threads, [&](std::size_t slab, int) {
+    for (std::size_t j = 0; j < grid.count[1]; j += 4) {
+      for (std::size_t i = 0; i < grid.count[0]; i += 4) sample_block(solid, grid, {i, j, 4 * slab});
     }
   });
   return grid;
@@ -138,7 +159,7 @@ class Marcher {
     for (int i = 0; i < 6; ++i) {
       t = (low * f_high - high * f_low) / (f_high - f_low);
       const double f = solid_(a + t * (b - a));
-      if (std::abs(f) < 1e-7 * grid_.cell) break;
+      if (std::abs(f) < 1e-4 * grid_.cell) break;
       if ((f < 0.0) == (f_low < 0.0)) {
         low = t;
         f_low = f;

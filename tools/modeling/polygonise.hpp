@@ -8,7 +8,7 @@ namespace eigengrasp::modeling {
 
 struct PolygoniseOptions {
   int n_threads = 0;         ///< 0: all; the mesh does not depend on it
-  int relax_iterations = 4;  ///< rounds of tangential smoothing and projection
+  int relax_iterations = 2;  ///< rounds of tangential smoothing and projection
   bool sharpen = true;       ///< puts vertices beside sharp edges onto them
 };
 

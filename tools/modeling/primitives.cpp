@@ -62,38 +62,40 @@ struct SectionCurves {
     }
   }
 
-  Numbers at(double s) const {
+  /// Values and their derivatives [1/m] at station s.
+  void at(double s, Numbers& r, Numbers& dr) const {
+    const bool between = s > x.front() && s < x.back();
     s = std::clamp(s, x.front(), x.back());
     const auto upper = std::upper_bound(x.begin() + 1, x.end() - 1, s);
     const std::size_t i = static_cast<std::size_t>(upper - x.begin()) - 1;
     const double h = x[i + 1] - x[i], t = (s - x[i]) / h, u = 1.0 - t;
     const double a = (1.0 + 2.0 * t) * u * u, b = t * u * u * h, c = t * t * (3.0 - 2.0 * t),
                  d = -t * t * u * h;
-    Numbers r;
+    const double da = -6.0 * t * u / h, db = u * (1.0 - 3.0 * t), dd = t * (3.0 * t - 2.0);
     for (std::size_t k = 0; k < 6; ++k) {
       r[k] = a * value[i][k] + b * slope[i][k] + c * value[i + 1][k] + d * slope[i + 1][k];
+      dr[k] = between ? da * (value[i][k] - value[i + 1][k]) + db * slope[i][k] + dd * slope[i + 1][k] : 0.0;
     }
-    return r;
   }
 
-  /// 1 on the outline of the section, less inside; homogeneous of degree 1 around the centre.
-  double level(double s, double y, double z) const {
-    const Numbers v = at(s);
-    const double dy = std::abs(y - v[0]) / v[2];
-    const double dz = z >= v[1] ? (z - v[1]) / v[3] : (v[1] - z) / v[4];
-    const double top = std::max(dy, dz);
-    if (top <= 0.0) return 0.0;
-    return top * std::pow(std::pow(dy / top, v[5]) + std::pow(dz / top, v[5]), 1.0 / v[5]);
-  }
-
+  /// With rho = 1 on the outline of the section and homogeneous of degree 1 around its centre: the zero set
+  /// of F = (rho^2 - 1) s^2, s the smaller half size, which stays smooth where a round end shrinks to a
+  /// point.
   double distance(const Vec3& p) const {
-    const double h = 1e-6;
-    const double rho = level(p.x(), p.y(), p.z());
-    Vec3 g;
-    g.x() = (level(p.x() + h, p.y(), p.z()) - level(p.x() - h, p.y(), p.z())) / (2.0 * h);
-    g.y() = (level(p.x(), p.y() + h, p.z()) - level(p.x(), p.y() - h, p.z())) / (2.0 * h);
-    g.z() = (level(p.x(), p.y(), p.z() + h) - level(p.x(), p.y(), p.z() - h)) / (2.0 * h);
-    const double side = (rho - 1.0) / std::max(g.norm(), 1e-3);
+    Numbers v, dv;
+    at(p.x(), v, dv);
+    const std::size_t half = p.z() >= v[1] ? 3 : 4, small = v[2] < v[half] ? 2 : half;
+    const double n = v[5], sign_y = p.y() >= v[0] ? 1.0 : -1.0, sign_z = half == 3 ? 1.0 : -1.0;
+    const double y = sign_y * (p.y() - v[0]) / v[2] + 1e-9, z = sign_z * (p.z() - v[1]) / v[half];
+    const double top = std::max(y, z);
+    const double rho = top * std::pow(std::pow(y / top, n) + std::pow(z / top, n), 1.0 / n);
+    const double gy = std::pow(y / rho, n - 1.0) / v[2], gz = std::pow(z / rho, n - 1.0) / v[half];
+    const double gx = -gy * (sign_y * dv[0] + y * dv[2]) - gz * (sign_z * dv[1] + z * dv[half]);
+    const double s = v[small], F = (rho * rho - 1.0) * s * s;
+    const double Fx = 2.0 * rho * gx * s * s + 2.0 * (rho * rho - 1.0) * s * dv[small];
+    const double steep = std::hypot(Fx, 2.0 * rho * s * s * std::hypot(gy, gz));
+    // Inside, the square root keeps the value finite at the centre line, where the slope vanishes.
+    const double side = F > 0.0 ? F / steep : F / (0.5 * steep + std::sqrt(0.25 * steep * steep - F));
     return std::max({side, x.front() - p.x(), p.x() - x.back()});
   }
 };

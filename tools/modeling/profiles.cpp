@@ -56,23 +56,73 @@ Vec2 catmull_rom(const std::array<Vec2, 4>& p, double t) {
   return q[0];
 }
 
+/// Closed outline in runs of a few edges with a box each, so that far runs are passed over.
+class OutlineIndex {
+ public:
+  OutlineIndex(const Polyline& outline, bool skip_last) : points_(outline), skip_last_(skip_last) {
+    points_.push_back(outline.front());
+    for (std::size_t begin = 0; begin < outline.size(); begin += run_length) {
+      Run run{begin, std::min(begin + run_length, outline.size()), points_[begin], points_[begin]};
+      for (std::size_t i = begin; i <= run.end; ++i) {
+        for (std::size_t k = 0; k < 2; ++k) {
+          run.low[k] = std::min(run.low[k], points_[i][k]);
+          run.high[k] = std::max(run.high[k], points_[i][k]);
+        }
+      }
+      runs_.push_back(run);
+    }
+  }
+
+  double distance(double x, double y) const {
+    double best = 1e300;
+    bool inside = false;
+    for (const Run& run : runs_) {
+      if (y >= run.low[1] && y <= run.high[1]) inside = inside != crosses(run, x, y);
+      const double dx = std::max({run.low[0] - x, x - run.high[0], 0.0});
+      const double dy = std::max({run.low[1] - y, y - run.high[1], 0.0});
+      if (dx * dx + dy * dy < best) best = std::min(best, squared_distance(run, x, y));
+    }
+    return (inside ? -1.0 : 1.0) * std::sqrt(best);
+  }
+
+ private:
+  static constexpr std::size_t run_length = 6;
+  struct Run {
+    std::size_t begin, end;
+    Point2 low, high;
+  };
+
+  /// Is a ray towards +x cut an odd number of times?
+  bool crosses(const Run& run, double x, double y) const {
+    bool odd = false;
+    for (std::size_t i = run.begin; i < run.end; ++i) {
+      const Point2 &a = points_[i], &b = points_[i + 1];
+      if ((a[1] > y) != (b[1] > y) && x < a[0] + (y - a[1]) * (b[0] - a[0]) / (b[1] - a[1])) odd = !odd;
+    }
+    return odd;
+  }
+
+  double squared_distance(const Run& run, double x, double y) const {
+    double best = 1e300;
+    const std::size_t end = skip_last_ && run.end + 1 == points_.size() ? run.end - 1 : run.end;
+    for (std::size_t i = run.begin; i < end; ++i) {
+      const double ex = points_[i + 1][0] - points_[i][0], ey = points_[i + 1][1] - points_[i][1];
+      const double px = x - points_[i][0], py = y - points_[i][1], length2 = ex * ex + ey * ey;
+      const double t = length2 > 0.0 ? std::clamp((px * ex + py * ey) / length2, 0.0, 1.0) : 0.0;
+      best = std::min(best, (px - t * ex) * (px - t * ex) + (py - t * ey) * (py - t * ey));
+    }
+    return best;
+  }
+
+  Polyline points_;
+  bool skip_last_;
+  std::vector<Run> runs_;
+};
+
 }  // namespace
 
 double outline_distance(const Polyline& outline, double x, double y, bool skip_last) {
-  const std::size_t n = outline.size();
-  double best = 1e300;
-  bool inside = false;
-  for (std::size_t i = 0; i < n; ++i) {
-    const Point2 &a = outline[i], &b = outline[i + 1 < n ? i + 1 : 0];
-    if ((a[1] > y) != (b[1] > y) && x < a[0] + (y - a[1]) * (b[0] - a[0]) / (b[1] - a[1])) inside = !inside;
-    if (skip_last && i + 1 == n) break;
-    const double ex = b[0] - a[0], ey = b[1] - a[1], px = x - a[0], py = y - a[1];
-    const double length2 = ex * ex + ey * ey;
-    const double t = length2 > 0.0 ? std::clamp((px * ex + py * ey) / length2, 0.0, 1.0) : 0.0;
-    const double dx = px - t * ex, dy = py - t * ey;
-    best = std::min(best, dx * dx + dy * dy);
-  }
-  return (inside ? -1.0 : 1.0) * std::sqrt(best);
+  return OutlineIndex(outline, skip_last).distance(x, y);
 }
 
 Solid revolve(const Polyline& outline) {
@@ -83,10 +133,8 @@ Solid revolve(const Polyline& outline) {
     box.add(Vec3(-p[0], -p[0], p[1]));
   }
   const bool on_axis = outline.front()[0] < 1e-9 && outline.back()[0] < 1e-9;
-  return {[outline, on_axis](const Vec3& p) {
-            return outline_distance(outline, std::hypot(p.x(), p.y()), p.z(), on_axis);
-          },
-          box};
+  const OutlineIndex index(outline, on_axis);
+  return {[index](const Vec3& p) { return index.distance(std::hypot(p.x(), p.y()), p.z()); }, box};
 }
 
 Solid extrude(const Polyline& outline, double z_low, double z_high, double edge_radius) {
@@ -96,9 +144,10 @@ Solid extrude(const Polyline& outline, double z_low, double z_high, double edge_
     box.add(Vec3(p[0], p[1], z_low));
     box.add(Vec3(p[0], p[1], z_high));
   }
+  const OutlineIndex index(outline, false);
   const double middle = 0.5 * (z_low + z_high), half = 0.5 * (z_high - z_low);
   return {[=](const Vec3& p) {
-            const double a = outline_distance(outline, p.x(), p.y()) + edge_radius;
+            const double a = index.distance(p.x(), p.y()) + edge_radius;
             const double b = std::abs(p.z() - middle) - half + edge_radius;
             return std::hypot(std::max(a, 0.0), std::max(b, 0.0)) + std::min(std::max(a, b), 0.0) -
                    edge_radius;

@@ -21,7 +21,7 @@ struct Solid {
   double operator()(const Vec3& p) const { return distance(p); }
 };
 
-/// Gradient of the distance [-] by central differences of step h [m].
+/// Gradient of the distance [-] by differences over a tetrahedron of half edge h [m].
 Vec3 gradient(const Solid& solid, const Vec3& p, double h = 1e-5);
 
 }  // namespace eigengrasp::modeling
