@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
-// Epsilon and closure of 64 random sets of contacts on an ellipsoid the size of a hand, torques over 50 mm, mu
-// 0.5. The time is that of one set; closed and epsilon (means) tell whether the results are still the same.
+// Epsilon and closure of 64 random sets of contacts on an ellipsoid the size of a hand, torques over 50 mm,
+// mu 0.5. The time is that of one set; closed and epsilon (means) tell whether the results are still the
+// same.
 #include <benchmark/benchmark.h>
 
 #include "support/random_contacts.hpp"
@@ -37,7 +38,9 @@ void run_epsilon(benchmark::State& state, const WrenchSpaceOptions& options) {
   report(state, sets, options);
 }
 
-void epsilon_edges(benchmark::State& state) { run_epsilon(state, eigengrasp::testing::hand_options()); }
+void epsilon_edges(benchmark::State& state) {
+  run_epsilon(state, eigengrasp::testing::hand_options());
+}
 
 void epsilon_exact(benchmark::State& state) {
   auto options = eigengrasp::testing::hand_options();
@@ -69,9 +72,22 @@ void volume(benchmark::State& state) {
 
 }  // namespace
 
-// Arguments: contacts, torsion length in millimetres (0: point contacts with 8 edges, else soft ones with 20).
-BENCHMARK(epsilon_edges)->Args({3, 0})->Args({4, 0})->Args({8, 0})->Args({12, 0})->Args({8, 3})->Unit(benchmark::kMicrosecond);
-BENCHMARK(epsilon_exact)->Args({3, 0})->Args({4, 0})->Args({8, 0})->Args({8, 3})->Unit(benchmark::kMicrosecond);
+// Arguments: contacts, torsion length in millimetres (0: point contacts with 8 edges, else soft ones with
+// 20).
+BENCHMARK(epsilon_edges)
+    ->Args({3, 0})
+    ->Args({4, 0})
+    ->Args({8, 0})
+    ->Args({12, 0})
+    ->Args({8, 3})
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK(epsilon_exact)
+    ->Args({3, 0})
+    ->Args({4, 0})
+    ->Args({8, 0})
+    ->Args({8, 3})
+    ->Unit(benchmark::kMicrosecond);
 BENCHMARK(epsilon_linf)->Args({4, 0})->Args({8, 0})->Unit(benchmark::kMicrosecond);
-BENCHMARK(closure)->Args({3, 0})->Args({4, 0})->Args({8, 0})->Args({12, 0})->Args({8, 3})->Unit(benchmark::kMicrosecond);
+BENCHMARK(closure)->Args({3, 0})->Args({4, 0})->Args({8, 0})->Args({12, 0})->Args({8, 3})->Unit(
+    benchmark::kMicrosecond);
 BENCHMARK(volume)->Args({8, 0})->Unit(benchmark::kMicrosecond);

@@ -54,8 +54,8 @@ void append_ellipsoid(const EdgeFrame& frame, double torsion_length, std::vector
     const double radius = 1.0 / std::hypot(c, s / axis);
     for (int k = 0; k < kDirections[i]; ++k) {
       const double angle = 2.0 * std::numbers::pi * k / kDirections[i];
-      out.push_back(frame.wrench(radius * c * std::cos(angle), radius * c * std::sin(angle),
-                                 radius * s * kMillimetre));
+      out.push_back(
+          frame.wrench(radius * c * std::cos(angle), radius * c * std::sin(angle), radius * s * kMillimetre));
     }
   }
 }

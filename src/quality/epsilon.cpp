@@ -44,9 +44,19 @@ const detail::WrenchSupport& make_support(std::span<const ContactPoint> contacts
   return s.points;
 }
 
-WrenchSpaceQuality make_quality(const detail::DistanceBounds& bounds, double epsilon_min) {
-  const double epsilon = std::max(0.0, bounds.upper);
+WrenchSpaceQuality make_quality(double epsilon, double epsilon_min) {
   return {epsilon, epsilon > 0.0 && epsilon >= epsilon_min};
+}
+
+/// Tells the two sides of epsilon_min apart, so finely that it does not matter beside epsilon_min itself.
+detail::ExpansionGoal closure_goal(const WrenchSpaceOptions& options) {
+  detail::ExpansionGoal goal;
+  goal.threshold = options.epsilon_min;
+  if (options.cone == ConeModel::exact) {
+    const double fine = options.epsilon_min > 0.0 ? 1e-3 * options.epsilon_min : options.tolerance;
+    goal.tolerance = std::min(options.tolerance, fine);
+  }
+  return goal;
 }
 
 }  // namespace
@@ -57,22 +67,26 @@ WrenchSpaceQuality compute_epsilon(std::span<const ContactPoint> contacts,
   const detail::WrenchSupport& support = make_support(contacts, options, s);
   detail::ExpansionGoal goal;
   if (options.cone == ConeModel::exact) goal.tolerance = options.tolerance;
-  return make_quality(s.polytope.compute_distance(support, goal), options.epsilon_min);
+  detail::DistanceBounds bounds = s.polytope.compute_distance(support, goal);
+  const double loose = bounds.upper;
+  // The tolerance may straddle epsilon_min; closure has to come out as has_form_closure() says.
+  if (bounds.lower < options.epsilon_min && options.epsilon_min <= bounds.upper) {
+    bounds = s.polytope.compute_distance(support, closure_goal(options));
+  }
+  return make_quality(std::min(loose, bounds.upper), options.epsilon_min);
 }
 
 WrenchSpaceQuality compute_epsilon(std::span<const Vec6> wrenches, double epsilon_min) {
   Scratch& s = scratch();
   s.points.assign(wrenches);
-  return make_quality(s.polytope.compute_distance(s.points, {}), epsilon_min);
+  return make_quality(s.polytope.compute_distance(s.points, {}).upper, epsilon_min);
 }
 
 bool has_form_closure(std::span<const ContactPoint> contacts, const WrenchSpaceOptions& options) {
   Scratch& s = scratch();
   const detail::WrenchSupport& support = make_support(contacts, options, s);
-  detail::ExpansionGoal goal;
-  if (options.cone == ConeModel::exact) goal.tolerance = options.tolerance;
-  goal.threshold = options.epsilon_min;
-  return make_quality(s.polytope.compute_distance(support, goal), options.epsilon_min).form_closure;
+  const double upper = s.polytope.compute_distance(support, closure_goal(options)).upper;
+  return make_quality(upper, options.epsilon_min).form_closure;
 }
 
 }  // namespace eigengrasp

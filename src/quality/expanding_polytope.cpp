@@ -10,27 +10,39 @@ namespace eigengrasp::detail {
 namespace {
 
 // All relative to the largest wrench.
-constexpr double kFlat = 1e-11;      // a set of less width has no inside
-constexpr double kOutward = 1e-12;   // a support point that is higher over its facet expands the polytope
-constexpr double kVisible = 1e-13;   // a facet sees points that are higher
+constexpr double kFlat = 1e-11;     // a set of less width has no inside
+constexpr double kOutward = 1e-12;  // a support point that is higher over its facet expands the polytope
+constexpr double kVisible = 1e-13;  // a facet sees points that are higher
 constexpr double kPlaneDrift = 1e-14;
 
-// A facet across a ridge, and the slot of that facet's vertex that is not on the ridge. ~facet, negative, while
-// the ridge is on the horizon of the vertex in hand.
+// A facet across a ridge, and the slot of that facet's vertex that is not on the ridge. ~facet, negative,
+// while the ridge is on the horizon of the vertex in hand.
 constexpr std::int32_t kUnlinked = std::numeric_limits<std::int32_t>::min();
-constexpr std::int32_t link(std::int32_t facet, std::int32_t slot) { return facet * 8 + slot; }
-constexpr std::int32_t facet_of(std::int32_t across) { return across >> 3; }
-constexpr std::int32_t slot_of(std::int32_t across) { return across & 7; }
+constexpr std::int32_t link(std::int32_t facet, std::int32_t slot) {
+  return facet * 8 + slot;
+}
+constexpr std::int32_t facet_of(std::int32_t across) {
+  return across >> 3;
+}
+constexpr std::int32_t slot_of(std::int32_t across) {
+  return across & 7;
+}
 
 constexpr std::size_t kMaxFacets = 1'000'000;  // work limit: about a second
 
 }  // namespace
 
-Vec6 ExpandingPolytope::normal(const Facet& facet) { return Vec6(facet.plane.data()); }
+Vec6 ExpandingPolytope::normal(const Facet& facet) {
+  return Vec6(facet.plane.data());
+}
 
 double ExpandingPolytope::compute_height(const Facet& facet, const Vec6& w) {
   const auto& p = facet.plane;
   return ((p[0] * w[0] + p[1] * w[1]) + (p[2] * w[2] + p[3] * w[3])) + ((p[4] * w[4] + p[5] * w[5]) - p[6]);
+}
+
+double ExpandingPolytope::slack() const {
+  return tolerance_ * std::max(1.0, upper_);
 }
 
 double ExpandingPolytope::probe(const Vec6& u, Vec6& w) {
@@ -42,7 +54,7 @@ double ExpandingPolytope::probe(const Vec6& u, Vec6& w) {
 DistanceBounds ExpandingPolytope::compute_distance(const WrenchSupport& set, const ExpansionGoal& goal) {
   set_ = &set;
   scale_ = set.scale();
-  prune_ = std::max(goal.tolerance, 0.0);
+  tolerance_ = std::max(goal.tolerance, 0.0);
   n_expansions_ = n_created_ = 0;
   upper_ = std::numeric_limits<double>::infinity();
   if (!(scale_ > 0.0) || !build_simplex()) return {};
@@ -51,9 +63,9 @@ DistanceBounds ExpandingPolytope::compute_distance(const WrenchSupport& set, con
   Vec6 w;
   while (true) {
     const bool any = pop_least(least);
-    const double lower = any ? std::min(least.offset, upper_) : upper_ - prune_;
+    const double lower = any ? std::min(least.offset, upper_) : upper_ - slack();
     if (upper_ <= 0.0) return {};
-    if (!any || lower >= upper_ - prune_ || upper_ < goal.threshold || lower >= goal.threshold) {
+    if (!any || lower >= upper_ - slack() || upper_ < goal.threshold || lower >= goal.threshold) {
       return {std::max(lower, 0.0), upper_, true};
     }
     if (n_created_ > kMaxFacets) return {std::max(lower, 0.0), upper_, false};
@@ -167,7 +179,7 @@ std::int32_t ExpandingPolytope::allocate_facet() {
 
 void ExpandingPolytope::push(std::int32_t facet) {
   const Facet& f = facets_[static_cast<std::size_t>(facet)];
-  if (!(f.plane[6] < upper_ - prune_)) return;
+  if (!(f.plane[6] < upper_ - slack())) return;
   queue_.push_back({f.plane[6], facet, f.serial});
   std::push_heap(queue_.begin(), queue_.end());
 }
@@ -246,8 +258,8 @@ std::int32_t ExpandingPolytope::make_facet(const HorizonRidge& ridge, std::int32
   return id;
 }
 
-// The new facet of a ridge has five more neighbours: its siblings across (ridge without one vertex) + apex. Each
-// is the new facet at the other end of the fan of visible facets about that sub-ridge.
+// The new facet of a ridge has five more neighbours: its siblings across (ridge without one vertex) + apex.
+// Each is the new facet at the other end of the fan of visible facets about that sub-ridge.
 void ExpandingPolytope::link_around(const HorizonRidge& ridge) {
   Facet& made = facets_[static_cast<std::size_t>(ridge.made)];
   for (std::int32_t j = 0; j < kDim; ++j) {
@@ -275,8 +287,8 @@ double ExpandingPolytope::plane_error(const Facet& facet) const {
   return error;
 }
 
-// The plane through the vertices themselves, without the rounding that the combinations have gathered. Left as
-// it is where the vertices do not span it.
+// The plane through the vertices themselves, without the rounding that the combinations have gathered. Left
+// as it is where the vertices do not span it.
 void ExpandingPolytope::refine(Facet& facet) const {
   const auto vertex = [&](std::size_t i) -> const Vec6& {
     return vertices_[static_cast<std::size_t>(facet.vertex[i])];

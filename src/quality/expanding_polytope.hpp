@@ -14,7 +14,7 @@ namespace eigengrasp::detail {
 
 /// When to stop expanding.
 struct ExpansionGoal {
-  double tolerance = 0.0;  ///< stop where upper - lower <= tolerance
+  double tolerance = 0.0;  ///< stop where upper - lower <= tolerance * max(1, upper)
   /// Stop where upper < threshold or lower >= threshold; NaN: never for that reason.
   double threshold = std::numeric_limits<double>::quiet_NaN();
 };
@@ -47,12 +47,12 @@ class ExpandingPolytope {
   static constexpr int kDim = 6;
 
   struct alignas(64) Facet {
-    std::array<double, 8> plane;               // unit normal, offset, 0: normal . x <= offset inside
+    std::array<double, 8> plane;  // unit normal, offset, 0: normal . x <= offset inside
     std::array<std::int32_t, kDim> vertex;
-    std::array<std::int32_t, kDim> across;     // what lies across the ridge without the vertex of the slot
-    double height;                             // of the vertex in hand, computed in step seen
-    std::uint32_t seen;                        // step in which height was computed
-    std::uint32_t serial;                      // tells a reused slot from the facet that the queue means
+    std::array<std::int32_t, kDim> across;  // what lies across the ridge without the vertex of the slot
+    double height;                          // of the vertex in hand, computed in step seen
+    std::uint32_t seen;                     // step in which height was computed
+    std::uint32_t serial;                   // tells a reused slot from the facet that the queue means
   };
   struct Candidate {
     double offset;
@@ -67,6 +67,7 @@ class ExpandingPolytope {
     std::int32_t made;    // the new facet
   };
 
+  double slack() const;  // facets with offset >= upper_ - slack() need no expansion
   double probe(const Vec6& u, Vec6& w);
   bool build_simplex();
   bool find_next_vertex(const std::array<Vec6, kDim>& basis, const Vec6& first, int n_basis, Vec6& w);
@@ -86,7 +87,7 @@ class ExpandingPolytope {
   const WrenchSupport* set_ = nullptr;
   double scale_ = 0.0;
   double upper_ = 0.0;
-  double prune_ = 0.0;  // tolerance of the goal: facets with offset >= upper_ - prune_ need no expansion
+  double tolerance_ = 0.0;
   std::uint32_t step_ = 0;
   std::uint32_t serial_ = 0;
   std::size_t n_expansions_ = 0;

@@ -33,8 +33,8 @@ class NullFile {
   FILE* file_;
 };
 
-/// One hull of Qhull; frees what it holds. Qhull ends with a code, also where the points are flat: it jumps out
-/// of its own C frames only.
+/// One hull of Qhull; frees what it holds. Qhull ends with a code, also where the points are flat: it jumps
+/// out of its own C frames only.
 class QhullRun {
  public:
   explicit QhullRun(std::span<const Vec6> points) {
@@ -43,8 +43,8 @@ class QhullRun {
     for (const Vec6& p : points) coordinates_.insert(coordinates_.end(), p.data(), p.data() + kDim);
     qh_zero(&qhull_, null_.get());
     started_ = true;
-    // Qt: triangulated, no joggle. Q12: wide facets of nearly flat sets are no error. FA: volume; only here may
-    // Qhull meet an error without ending the process.
+    // Qt: triangulated, no joggle. Q12: wide facets of nearly flat sets are no error. FA: volume; only here
+    // may Qhull meet an error without ending the process.
     char command[] = "qhull Qt Qx Q12 Pp FA";
     ok_ = qh_new_qhull(&qhull_, kDim, static_cast<int>(points.size()), coordinates_.data(), False, command,
                        nullptr, null_.get()) == 0;

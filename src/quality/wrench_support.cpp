@@ -62,7 +62,7 @@ double PointSupport::support(const Vec6& u, Vec6& w) const {
   std::size_t begin = 0;
   for (const std::size_t end : ends_) {
     const auto best = std::max_element(at(begin), at(end));
-    if (begin < end && *best > 0.0) {
+    if (begin<end&& * best> 0.0) {
       sum += *best;
       w += wrench(static_cast<std::size_t>(best - dots));
     }

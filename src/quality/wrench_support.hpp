@@ -37,9 +37,9 @@ class PointSupport : public WrenchSupport {
   Vec6 wrench(std::size_t i) const;
 
   std::size_t n_ = 0;
-  std::size_t stride_ = 0;             // n_, rounded up
-  std::vector<double> coordinates_;    // 6 rows of stride_ numbers
-  std::vector<std::size_t> ends_;      // empty: one hull
+  std::size_t stride_ = 0;           // n_, rounded up
+  std::vector<double> coordinates_;  // 6 rows of stride_ numbers
+  std::vector<std::size_t> ends_;    // empty: one hull
   mutable std::vector<double> dots_;
   double scale_ = 0.0;
 };

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
-// Against grasps that GraspIt! closed on its own models (reference/grasps.jsonl): wrenches from its own code, put
-// through Qhull (Qt Qx) for `epsilon_qhull`. Lengths are millimetres there; torques are about the centre of mass,
-// over max_radius.
+// Against grasps that GraspIt! closed on its own models (reference/grasps.jsonl): wrenches from its own code,
+// put through Qhull (Qt Qx) for `epsilon_qhull`. Lengths are millimetres there; torques are about the centre
+// of mass, over max_radius.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -34,7 +36,9 @@ struct ReferenceGrasp {
   }
 };
 
-Vec3 read_vec3(const json& j) { return Vec3(j[0].get<double>(), j[1].get<double>(), j[2].get<double>()); }
+Vec3 read_vec3(const json& j) {
+  return Vec3(j[0].get<double>(), j[1].get<double>(), j[2].get<double>());
+}
 
 // The torsion length is not in the file: the first edge of a soft contact is the pole of its ellipsoid, whose
 // torque is n mu e alone beside that of the normal force.
@@ -47,7 +51,8 @@ double torsion_length(const ContactPoint& c, const WrenchSpaceOptions& o, const 
 
 ReferenceGrasp read_grasp(const json& j, std::size_t line) {
   ReferenceGrasp g;
-  g.name = "line " + std::to_string(line) + " " + j["hand"].get<std::string>() + " " + j["object"].get<std::string>();
+  g.name = "line " + std::to_string(line) + " " + j["hand"].get<std::string>() + " " +
+           j["object"].get<std::string>();
   g.epsilon = j["epsilon_qhull"].get<double>();
   g.options.torque_origin_O = read_vec3(j["centre_of_mass"]) * kMillimetre;
   g.options.torque_scale = j["max_radius"].get<double>() * kMillimetre;
@@ -124,19 +129,74 @@ TEST(QualityReference, EdgesAreOursUpToARotationAboutTheNormal) {
   std::printf("worst residual %.3g\n", worst);
 }
 
+// Turns the edges of a contact about its normal, so that edge k lies where the other set has it. The cone is
+// the same; where on the circle its edges begin is free.
+std::vector<Vec6> turned_to(const std::vector<Vec6>& target, std::vector<Vec6> edges, const ContactPoint& c,
+                            const WrenchSpaceOptions& o) {
+  const std::size_t k = edges.size() == 20 ? 1 : 0;  // the pole of an ellipsoid has no direction
+  const auto tangential = [&](const Vec6& w) {
+    const Vec3 f = w.head<3>();
+    return Vec3(f - f.dot(c.n_OC) * c.n_OC);
+  };
+  const Vec3 from = tangential(edges[k]);
+  const Vec3 to = tangential(target[k]);
+  const double angle = std::atan2(c.n_OC.dot(from.cross(to)), from.dot(to));
+  const Mat3 R = Eigen::AngleAxisd(angle, c.n_OC).toRotationMatrix();
+  const Vec3 lever = (c.p_OC - o.torque_origin_O) / o.torque_scale;
+  for (Vec6& w : edges) {
+    const Vec3 force = w.head<3>();
+    const Vec3 spin = w.tail<3>() - lever.cross(force);
+    w.head<3>() = R * force;
+    w.tail<3>() = lever.cross(Vec3(R * force)) + spin;
+  }
+  return edges;
+}
+
+TEST(QualityReference, EpsilonOfItsContactsWithOurEdgesAtItsPhase) {
+  const auto file = testing::test_data("reference/grasps.jsonl");
+  EIGENGRASP_REQUIRE_DATA(file);
+  double worst = 0.0;
+  for (const ReferenceGrasp& g : reference_grasps(file)) {
+    std::vector<Vec6> all;
+    for (std::size_t i = 0; i < g.contacts.size(); ++i) {
+      std::vector<Vec6> ours;
+      append_edge_wrenches(g.contacts[i], g.options, ours);
+      ours = turned_to(g.wrenches[i], ours, g.contacts[i], g.options);
+      all.insert(all.end(), ours.begin(), ours.end());
+    }
+    const WrenchSpaceQuality quality = compute_epsilon(all);
+    EXPECT_NEAR(quality.epsilon, g.epsilon, 2e-5) << g.name;
+    EXPECT_EQ(quality.form_closure, g.epsilon >= 1e-6) << g.name << " epsilon " << quality.epsilon;
+    worst = std::max(worst, std::abs(quality.epsilon - g.epsilon));
+  }
+  std::printf("worst residual %.3g\n", worst);
+}
+
+// Where the edges begin is a free choice, ours is not GraspIt!'s; the whole difference comes from there (the
+// test above). Coarse soft contacts (5 directions at 45 degrees) feel it most, and grasps that close by a
+// hair may fall either side. The true cone bounds both.
 TEST(QualityReference, EpsilonOfItsContactsWithOurEdges) {
   const auto file = testing::test_data("reference/grasps.jsonl");
   EIGENGRASP_REQUIRE_DATA(file);
   double worst = 0.0;
-  int decided_alike = 0;
+  int beyond = 0;
   for (const ReferenceGrasp& g : reference_grasps(file)) {
     const WrenchSpaceQuality quality = compute_epsilon(g.contacts, g.options);
-    EXPECT_NEAR(quality.epsilon, g.epsilon, 0.01) << g.name;
+    WrenchSpaceOptions exact = g.options;
+    exact.cone = ConeModel::exact;
+    const double bound = compute_epsilon(g.contacts, exact).epsilon + 1e-5;
+    EXPECT_NEAR(quality.epsilon, g.epsilon, 0.015) << g.name;
+    EXPECT_LE(quality.epsilon, bound) << g.name;
+    EXPECT_LE(g.epsilon, bound) << g.name;
+    const bool alike = quality.form_closure == (g.epsilon >= 1e-6);
+    if (!alike)
+      std::printf("%s: closed one way only, %.6f here, %.6f there, %.6f exact\n", g.name.c_str(),
+                  quality.epsilon, g.epsilon, bound);
     worst = std::max(worst, std::abs(quality.epsilon - g.epsilon));
-    decided_alike += quality.form_closure == (g.epsilon >= 1e-6);
+    beyond += std::abs(quality.epsilon - g.epsilon) > 0.01;
   }
-  std::printf("worst residual %.3g, closure alike in %d of %zu\n", worst, decided_alike,
-              reference_grasps(file).size());
+  EXPECT_LE(beyond, 2);
+  std::printf("worst residual %.3g, %d beyond 0.01\n", worst, beyond);
 }
 
 }  // namespace

@@ -16,8 +16,8 @@ extern "C" {
 
 namespace eigengrasp::testing {
 
-/// Least distance from the origin to a facet of the convex hull, 0 where the origin is not inside or the hull is
-/// flat: the whole hull by Qhull, an independent way to epsilon.
+/// Least distance from the origin to a facet of the convex hull, 0 where the origin is not inside or the hull
+/// is flat: the whole hull by Qhull, an independent way to epsilon.
 inline double epsilon_by_qhull(std::span<const Vec6> wrenches) {
   if (wrenches.size() < 7) return 0.0;
   std::vector<double> coordinates;

@@ -17,7 +17,8 @@ inline Vec3 random_direction(RandomStream& random) {
 }
 
 /// Contacts on an ellipsoid the size of a hand, pressing inwards with some scatter.
-inline std::vector<ContactPoint> random_contacts(int n, double mu, double torsion_length, std::uint64_t seed) {
+inline std::vector<ContactPoint> random_contacts(int n, double mu, double torsion_length,
+                                                 std::uint64_t seed) {
   RandomStream random{seed, 0xC0};
   std::vector<ContactPoint> contacts;
   for (int i = 0; i < n; ++i) {
@@ -35,7 +36,8 @@ inline WrenchSpaceOptions hand_options() {
   return options;
 }
 
-inline std::vector<Vec6> edge_wrenches(const std::vector<ContactPoint>& contacts, const WrenchSpaceOptions& o) {
+inline std::vector<Vec6> edge_wrenches(const std::vector<ContactPoint>& contacts,
+                                       const WrenchSpaceOptions& o) {
   std::vector<Vec6> wrenches;
   for (const ContactPoint& c : contacts) append_edge_wrenches(c, o, wrenches);
   return wrenches;

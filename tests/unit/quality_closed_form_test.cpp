@@ -52,9 +52,13 @@ TEST(EpsilonClosedForm, TwoOpposingSoftFingersHoldLeastAgainstSpin) {
       contacts[1] = {Vec3(-0.05, 0, 0), Vec3::UnitX(), mu, e};
       auto options = testing::hand_options();
       options.cone = ConeModel::exact;
-      EXPECT_NEAR(compute_epsilon(contacts, options).epsilon, mu * e / 0.05, 2e-9) << e << " " << mu;
-      options.norm = WrenchNorm::linf;  // both may press with the whole force, so twice as much
-      EXPECT_NEAR(compute_epsilon(contacts, options).epsilon, 2.0 * mu * e / 0.05, 2e-9) << e << " " << mu;
+      EXPECT_NEAR(compute_epsilon(contacts, options).epsilon, mu * e / 0.05, 2e-6) << e << " " << mu;
+      // Both may press with the whole force: the support function is 2 m |tau_x| as long as neither lets go,
+      // which is |f_x| <= m |tau_x| with m = mu e / scale.
+      options.norm = WrenchNorm::linf;
+      const double m = mu * e / 0.05;
+      const double expected = 2.0 * m / std::hypot(1.0, m);
+      EXPECT_NEAR(compute_epsilon(contacts, options).epsilon, expected, 2e-6) << e << " " << mu;
     }
   }
 }
@@ -92,7 +96,7 @@ TEST(EpsilonClosedForm, TwentyFourFrictionlessContactsOnACube) {
     for (const ConeModel cone : {ConeModel::edges, ConeModel::exact}) {
       WrenchSpaceOptions options;
       options.cone = cone;
-      EXPECT_NEAR(compute_epsilon(contacts, options).epsilon, a / std::sqrt(3.0), 2e-9);
+      EXPECT_NEAR(compute_epsilon(contacts, options).epsilon, a / std::sqrt(3.0), 2e-6);
     }
   }
 }

@@ -48,6 +48,7 @@ TEST(FormClosure, MinimumJustAboveAndBelowEpsilon) {
     for (const ConeModel cone : {ConeModel::edges, ConeModel::exact}) {
       auto options = hand_options();
       options.cone = cone;
+      options.tolerance = 1e-9;
       const auto contacts = random_contacts(5, 0.6, 0.0, seed);
       const double epsilon = compute_epsilon(contacts, options).epsilon;
       if (epsilon < 1e-3) continue;

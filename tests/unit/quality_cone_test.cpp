@@ -18,6 +18,7 @@ double exact_epsilon(const std::vector<ContactPoint>& contacts, WrenchNorm norm 
   auto options = hand_options();
   options.cone = ConeModel::exact;
   options.norm = norm;
+  options.tolerance = 1e-9;
   return compute_epsilon(contacts, options).epsilon;
 }
 
@@ -37,7 +38,8 @@ TEST(ExactCone, ManyEdgesConvergeFromBelow) {
         EXPECT_LE(epsilon, exact + 1e-8) << "seed " << seed << ", edges " << options.edges;
         last = epsilon;
       }
-      // The polygon of 256 edges is 7.5e-5 mu inside the circle; in a wrench space that is a lever of some size.
+      // The polygon of 256 edges is 7.5e-5 mu inside the circle; in a wrench space that is a lever of some
+      // size.
       EXPECT_NEAR(last, exact, 1e-3) << "seed " << seed;
       closed += exact > 0.0;
     }
@@ -65,6 +67,7 @@ TEST(ExactCone, RigidMotionWithItsOriginChangesNothing) {
     }
     auto options = hand_options();
     options.cone = ConeModel::exact;
+    options.tolerance = 1e-9;
     const double here = compute_epsilon(contacts, options).epsilon;
     options.torque_origin_O = X.translation();
     EXPECT_NEAR(compute_epsilon(moved, options).epsilon, here, 5e-9) << seed;
@@ -76,6 +79,7 @@ TEST(ExactCone, LengthUnitCancels) {
     auto contacts = random_contacts(5, 0.5, 0.002, seed);
     auto options = hand_options();
     options.cone = ConeModel::exact;
+    options.tolerance = 1e-9;
     const double metres = compute_epsilon(contacts, options).epsilon;
     for (ContactPoint& c : contacts) {
       c.p_OC *= 1000.0;

@@ -16,8 +16,9 @@ enum class WrenchNorm { l1, linf };
 
 /// How a contact's cone enters the wrench space.
 enum class ConeModel {
-  edges,  ///< an inscribed polytope: options.edges friction directions (soft fingers: 1, 5, 8, 5, 1 of the
-          ///< ellipsoid)
+  edges,  ///< an inscribed polytope: options.edges friction directions; soft fingers: 20 points of the
+          ///< friction ellipsoid, 1, 5, 8, 5, 1 at latitudes 90, 45, 0, -45, -90 deg (e in millimetres, as
+          ///< GraspIt!)
   exact,  ///< the true cone or ellipsoid, by its closed-form support function
 };
 
@@ -28,32 +29,39 @@ struct WrenchSpaceOptions {
   Vec3 torque_origin_O = Vec3::Zero();  ///< torques are about this point of the object frame [m]
   double torque_scale = 1.0;            ///< torques are divided by this length [m], > 0
   double epsilon_min = 1e-6;            ///< form closure means epsilon >= this [-]
-  double tolerance = 1e-9;  ///< of epsilon where the cone is exact: relative to the result, or absolute
+  /// Of epsilon where the cone is exact [-], absolute or relative to epsilon, whichever is wider. Each decade
+  /// costs the same again. Of no effect on edges, whose epsilon is exact up to rounding.
+  double tolerance = 1e-6;
 };
 
 struct WrenchSpaceQuality {
   double epsilon =
       0.0;  ///< radius of the largest origin-centred ball inside the wrench space; 0: origin not inside
-  bool form_closure = false;  ///< epsilon >= epsilon_min
+  bool form_closure = false;  ///< epsilon >= epsilon_min, and above 0
 };
 
 /// Wrenches of the cone edges of one contact at unit normal force, torque about the origin and scaled as in
-/// the options (field-notes convention: force = n + mu (cos t1 + sin t2), edges at equal angles beginning at
-/// t1). Appended to out.
+/// the options (force = n + mu (cos t1 + sin t2), edges at equal angles beginning at t1). Appended to out.
 void append_edge_wrenches(const ContactPoint& contact, const WrenchSpaceOptions& options,
                           std::vector<Vec6>& out);
 
 /// Epsilon quality of a set of contacts. Expands a polytope from inside towards the facet nearest to the
 /// origin (EPA; Zheng 2013) with the support function of the wrench space: no hull of all wrenches is built.
 /// Degenerate sets (none, one or two contacts, coplanar, parallel, repeated) give 0 or their true epsilon,
-/// never an error. @pre finite contacts, unit normals. Cost: 0.1-1 ms.
+/// never an error. Where the cone is exact the result is an upper bound, at most options.tolerance too high;
+/// the work is limited to about a million facets, which only exact cones with tolerances below 1e-9 come
+/// near.
+/// @pre finite contacts, unit normals, options as their bounds say. Cost: 0.01 ms for 3 contacts, 0.1 ms for
+/// 8; exact cones five times that, and up to 100 ms for two soft fingers that oppose each other to tolerance
+/// 1e-9. Does not allocate after the first calls of a thread.
 WrenchSpaceQuality compute_epsilon(std::span<const ContactPoint> contacts, const WrenchSpaceOptions& options);
 
 /// The same for plain wrenches whose L1 wrench space is their convex hull.
 WrenchSpaceQuality compute_epsilon(std::span<const Vec6> wrenches, double epsilon_min = 1e-6);
 
 /// Whether the origin lies inside the wrench space by at least epsilon_min; stops as soon as that is decided,
-/// which is several times cheaper than epsilon.
+/// which is several times cheaper than epsilon: about 0.005 ms. Where the cone is exact, an epsilon within
+/// epsilon_min / 1000 of epsilon_min may be decided either way.
 bool has_form_closure(std::span<const ContactPoint> contacts, const WrenchSpaceOptions& options);
 
 /// Volume of the convex hull of the wrenches in six dimensions (Qhull); 0 where they are degenerate. Cost:
@@ -61,7 +69,7 @@ bool has_form_closure(std::span<const ContactPoint> contacts, const WrenchSpaceO
 double compute_hull_volume(std::span<const Vec6> wrenches);
 
 /// Volume of the wrench space of the contacts, from the edges of their cones whatever options.cone says;
-/// linf: of the Minkowski sum.
+/// linf: of the Minkowski sum, whose cost grows steeply: seconds from 4 contacts on.
 double compute_volume(std::span<const ContactPoint> contacts, const WrenchSpaceOptions& options);
 
 }  // namespace eigengrasp
