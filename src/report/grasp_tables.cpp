@@ -35,8 +35,12 @@ std::vector<int> finger_roots(const HandModel& hand) {
 std::string csv_text(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
+  for (const char c : text) {
+    if (c == '"') quoted += '"';
+    quoted += c;
+  }
+  quoted += '"';
+  return quoted;
 }
 
 void append_pose(const Pose& X, std::vector<std::string>& row) {
@@ -52,8 +56,8 @@ std::vector<std::string> csv_headings(const Grasp& first) {
   for (const char* phase : {"pregrasp", "grasp"})
     for (const char* part : {"x", "y", "z", "qw", "qx", "qy", "qz"})
       row.push_back(fmt::format("{}_{}", phase, part));
-  for (const auto& [name, value] : first.pregrasp_joints) row.push_back("pregrasp:" + name);
-  for (const auto& [name, value] : first.grasp_joints) row.push_back("grasp:" + name);
+  for (const auto& [name, value] : first.pregrasp_joints) row.push_back(fmt::format("pregrasp:{}", name));
+  for (const auto& [name, value] : first.grasp_joints) row.push_back(fmt::format("grasp:{}", name));
   return row;
 }
 
@@ -83,7 +87,10 @@ std::vector<std::string> csv_row(const Grasp& grasp, const Grasp& first, std::si
 }
 
 void append_csv(const std::vector<std::string>& row, std::string& out) {
-  for (std::size_t i = 0; i < row.size(); ++i) out += (i > 0 ? "," : "") + csv_text(row[i]);
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    if (i > 0) out += ',';
+    out += csv_text(row[i]);
+  }
   out += "\r\n";
 }
 

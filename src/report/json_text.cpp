@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <tuple>
 
 namespace eigengrasp {
 
@@ -53,6 +54,24 @@ std::string shown(const OrderedJson& json) {
   std::string text = json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
   if (text.size() > 60) text = text.substr(0, 57) + "...";
   return text;
+}
+
+/// Through a matrix and back a quaternion may change its last digits, until it stays or goes around a small
+/// circle. This is the least one (w, x, y, z) of where that ends.
+Eigen::Quaterniond lasting_orientation(const Pose& X) {
+  constexpr int kSteps = 32;
+  const auto next = [](const Eigen::Quaterniond& q) { return orientation(make_pose(q, Vec3::Zero())); };
+  const auto less = [](const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
+    return std::tuple(a.w(), a.x(), a.y(), a.z()) < std::tuple(b.w(), b.x(), b.y(), b.z());
+  };
+  Eigen::Quaterniond q = orientation(X);
+  for (int i = 0; i < kSteps; ++i) q = next(q);
+  Eigen::Quaterniond least = q;
+  for (int i = 0; i < kSteps; ++i) {
+    q = next(q);
+    if (less(q, least)) least = q;
+  }
+  return least;
 }
 
 }  // namespace
@@ -172,13 +191,7 @@ Pose JsonView::pose() const {
 }
 
 OrderedJson pose_json(const Pose& X) {
-  // Through a matrix and back a quaternion may lose its last digit; soon it stays as it is.
-  Eigen::Quaterniond q = orientation(X);
-  for (int i = 0; i < 100; ++i) {
-    const Eigen::Quaterniond again = orientation(make_pose(q, Vec3::Zero()));
-    if (again.coeffs() == q.coeffs()) break;
-    q = again;
-  }
+  const Eigen::Quaterniond q = lasting_orientation(X);
   const Eigen::Vector4d wxyz(q.w(), q.x(), q.y(), q.z());
   return {{"position", numbers_json(X.translation())}, {"orientation", numbers_json(wxyz)}};
 }
