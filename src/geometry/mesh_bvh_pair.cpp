@@ -36,6 +36,29 @@ double squared_distance(const Box& a, const Box& b) {
   return (a.min - b.max).cwiseMax(b.min - a.max).cwiseMax(Vec3::Zero()).squaredNorm();
 }
 
+Box box_of(const TriangleCorners& t) {
+  return {t.a.cwiseMin(t.b).cwiseMin(t.c), t.a.cwiseMax(t.b).cwiseMax(t.c)};
+}
+
+/// Visits the pairs of triangles of two leaves of which the boxes are no farther apart than bound2(). Stops
+/// where visit returns true, and returns that.
+template <typename Bound, typename Visit>
+bool visit_triangles(const MeshBvh& a, const MeshBvh::Node& na, const MeshBvh& b, const MeshBvh::Node& nb,
+                     const PosedBvh& posed_b, Bound bound2, Visit visit) {
+  for (int j = nb.left; j < nb.left + nb.count; ++j) {
+    const int tb = b.triangle_at(j);
+    const TriangleCorners t = posed_b.corners(tb);
+    const Box box = box_of(t);
+    if (squared_distance(na.box, box) > bound2()) continue;
+    for (int i = na.left; i < na.left + na.count; ++i) {
+      const int ta = a.triangle_at(i);
+      const TriangleCorners& s = a.corners(ta);
+      if (squared_distance(box_of(s), box) <= bound2() && visit(ta, s, tb, t)) return true;
+    }
+  }
+  return false;
+}
+
 struct NodePair {
   int a;
   int b;
@@ -83,64 +106,54 @@ void descend(const MeshBvh& a, const MeshBvh& b, const PosedBvh& posed_b, Bound 
 
 bool intersects(const MeshBvh& a, const MeshBvh& b, const Pose& X_AB) {
   const PosedBvh posed_b(b, X_AB);
+  const auto bound2 = [] { return 0.0; };
   bool found = false;
-  descend(
-      a, b, posed_b, [] { return 0.0; },
-      [&](const MeshBvh::Node& na, const MeshBvh::Node& nb) {
-        for (int j = nb.left; j < nb.left + nb.count; ++j) {
-          const TriangleCorners t = posed_b.corners(b.triangle_at(j));
-          for (int i = na.left; i < na.left + na.count; ++i)
-            if (triangles_cross(a.corners(a.triangle_at(i)), t)) return found = true;
-        }
-        return false;
-      });
+  descend(a, b, posed_b, bound2, [&](const MeshBvh::Node& na, const MeshBvh::Node& nb) {
+    return visit_triangles(a, na, b, nb, posed_b, bound2,
+                           [&](int, const TriangleCorners& s, int, const TriangleCorners& t) {
+                             return found = triangles_cross(s, t);
+                           });
+  });
   return found;
 }
 
-ClosestPair closest_pair(const MeshBvh& a, const MeshBvh& b, const Pose& X_AB, double max_distance) {
+ClosestPair closest_pair(const MeshBvh& a, const MeshBvh& b, const Pose& X_AB, double max_distance,
+                         PairHint* hint) {
   const PosedBvh posed_b(b, X_AB);
   ClosestPair best;
   best.distance = max_distance;
-  descend(
-      a, b, posed_b, [&] { return best.distance * best.distance; },
-      [&](const MeshBvh::Node& na, const MeshBvh::Node& nb) {
-        for (int j = nb.left; j < nb.left + nb.count; ++j) {
-          const int tb = b.triangle_at(j);
-          const TriangleCorners t = posed_b.corners(tb);
-          for (int i = na.left; i < na.left + na.count; ++i) {
-            const int ta = a.triangle_at(i);
-            Vec3 p;
-            Vec3 q;
-            const double d = closest_points_of_triangles(a.corners(ta), t, p, q);
-            if (d < best.distance) best = {p, q, d, ta, tb};
-          }
-        }
-        return best.triangle_a >= 0 && best.distance == 0.0;
-      });
+  const auto bound2 = [&] { return best.distance * best.distance; };
+  const auto visit = [&](int ta, const TriangleCorners& s, int tb, const TriangleCorners& t) {
+    Vec3 p;
+    Vec3 q;
+    const double d = closest_points_of_triangles(s, t, p, q);
+    if (d < best.distance) best = {p, q, d, ta, tb};
+    return best.triangle_a >= 0 && best.distance == 0.0;
+  };
+  if (hint && hint->triangle_a >= 0)
+    visit(hint->triangle_a, a.corners(hint->triangle_a), hint->triangle_b, posed_b.corners(hint->triangle_b));
+  descend(a, b, posed_b, bound2, [&](const MeshBvh::Node& na, const MeshBvh::Node& nb) {
+    return visit_triangles(a, na, b, nb, posed_b, bound2, visit);
+  });
+  if (hint && best.triangle_a >= 0) *hint = {best.triangle_a, best.triangle_b};
   return best;
 }
 
 void for_each_pair_within(const MeshBvh& a, const MeshBvh& b, const Pose& X_AB, double max_distance,
                           const std::function<void(const ClosestPair&)>& visit) {
   const PosedBvh posed_b(b, X_AB);
-  const double bound2 = max_distance * max_distance;
-  descend(
-      a, b, posed_b, [&] { return bound2; },
-      [&](const MeshBvh::Node& na, const MeshBvh::Node& nb) {
-        for (int j = nb.left; j < nb.left + nb.count; ++j) {
-          const int tb = b.triangle_at(j);
-          const TriangleCorners t = posed_b.corners(tb);
-          for (int i = na.left; i < na.left + na.count; ++i) {
-            const int ta = a.triangle_at(i);
-            ClosestPair pair;
-            pair.distance = closest_points_of_triangles(a.corners(ta), t, pair.p_a, pair.p_b);
-            pair.triangle_a = ta;
-            pair.triangle_b = tb;
-            if (pair.distance <= max_distance) visit(pair);
-          }
-        }
-        return false;
-      });
+  const auto bound2 = [&] { return max_distance * max_distance; };
+  descend(a, b, posed_b, bound2, [&](const MeshBvh::Node& na, const MeshBvh::Node& nb) {
+    return visit_triangles(a, na, b, nb, posed_b, bound2,
+                           [&](int ta, const TriangleCorners& s, int tb, const TriangleCorners& t) {
+                             ClosestPair pair;
+                             pair.distance = closest_points_of_triangles(s, t, pair.p_a, pair.p_b);
+                             pair.triangle_a = ta;
+                             pair.triangle_b = tb;
+                             if (pair.distance <= max_distance) visit(pair);
+                             return false;
+                           });
+  });
 }
 
 }  // namespace eigengrasp

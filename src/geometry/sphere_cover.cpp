@@ -3,9 +3,15 @@
 #include "eigengrasp/geometry/sphere_cover.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
 
 namespace eigengrasp {
+
+namespace {
+constexpr std::size_t most_candidates = 1500;  // balls to choose from
+}
 
 SurfaceSamples sample_surface(const TriangleMesh& mesh, double spacing) {
   SurfaceSamples samples;
@@ -45,6 +51,24 @@ Sphere medial_ball(const MeshBvh& bvh, const Vec3& p, const Vec3& n, double larg
     r = smaller;
   }
   return {p - r * n, r};
+}
+
+/// Keeps one sample in each cell of the given size, the first.
+SurfaceSamples thin_out(const SurfaceSamples& samples, double cell) {
+  SurfaceSamples kept;
+  std::set<std::array<long, 4>> taken;
+  for (std::size_t i = 0; i < samples.points.size(); ++i) {
+    const Vec3& p = samples.points[i];
+    Eigen::Index axis = 0;  // the two sides of a thin plate are not one
+    samples.normals[i].cwiseAbs().maxCoeff(&axis);
+    const long side = samples.normals[i][axis] < 0.0 ? -1 - axis : 1 + axis;
+    if (!taken.insert({std::lround(p.x() / cell), std::lround(p.y() / cell), std::lround(p.z() / cell), side})
+             .second)
+      continue;
+    kept.points.push_back(p);
+    kept.normals.push_back(samples.normals[i]);
+  }
+  return kept;
 }
 
 struct Candidate {
@@ -94,11 +118,12 @@ std::vector<Sphere> choose(std::vector<Candidate>& candidates, std::size_t n_sam
 
 std::vector<Sphere> cover_with_inner_spheres(const TriangleMesh& mesh, const MeshBvh& bvh, double tolerance) {
   if (mesh.empty()) return {};
-  const double spacing = std::max(0.0015, std::sqrt(surface_area(mesh) / 4000.0));
-  SurfaceSamples samples = sample_surface(mesh, spacing);
+  const double spacing = std::max(0.0012, std::sqrt(surface_area(mesh) / 3000.0));
+  const SurfaceSamples samples = thin_out(sample_surface(mesh, spacing), spacing);
+  const std::size_t stride = 1 + samples.points.size() / most_candidates;
   const double largest = 0.5 * bounding_box(mesh).diagonal();
   std::vector<Candidate> candidates;
-  for (std::size_t i = 0; i < samples.points.size(); ++i) {
+  for (std::size_t i = 0; i < samples.points.size(); i += stride) {
     Vec3 normal = samples.normals[i];
     const Vec3& p = samples.points[i];
     if (!bvh.contains(p - 1e-5 * normal)) {

@@ -213,32 +213,33 @@ double CollisionModel::deepest_penetration(const std::vector<Pose>& X_OL) const 
   return deepest;
 }
 
-double CollisionModel::distance_to_object(int link, const Pose& X_OL, double exact_below) const {
+double CollisionModel::distance_to_object(int link, const Pose& X_OL, double exact_below,
+                                          PairHint* hint) const {
   const auto& s = surfaces_.links[static_cast<std::size_t>(link)];
   const MeshBvh& bvh = scene_.object->bvh;
   const double bound = bvh.closest_point(X_OL * s.bound.center).distance - s.bound.radius;
   if (bound > exact_below) return bound;
-  return closest_pair(bvh, s.bvh, X_OL, exact_below).distance;
+  return closest_pair(bvh, s.bvh, X_OL, exact_below, hint).distance;
 }
 
-double CollisionModel::distance_to_obstacle(int obstacle, int link, const Pose& X_OL,
-                                            double exact_below) const {
+double CollisionModel::distance_to_obstacle(int obstacle, int link, const Pose& X_OL, double exact_below,
+                                            PairHint* hint) const {
   const auto& s = surfaces_.links[static_cast<std::size_t>(link)];
   const Obstacle& o = scene_.obstacles[static_cast<std::size_t>(obstacle)];
   const Pose X_BL = o.X_OB.inverse() * X_OL;
   const double bound = o.model->bvh.closest_point(X_BL * s.bound.center).distance - s.bound.radius;
   if (bound > exact_below) return bound;
-  return closest_pair(o.model->bvh, s.bvh, X_BL, exact_below).distance;
+  return closest_pair(o.model->bvh, s.bvh, X_BL, exact_below, hint).distance;
 }
 
-double CollisionModel::distance_of_links(int a, int b, const std::vector<Pose>& X_OL,
-                                         double exact_below) const {
+double CollisionModel::distance_of_links(int a, int b, const std::vector<Pose>& X_OL, double exact_below,
+                                         PairHint* hint) const {
   const auto& sa = surfaces_.links[static_cast<std::size_t>(a)];
   const auto& sb = surfaces_.links[static_cast<std::size_t>(b)];
   const Pose X_AB = X_OL[static_cast<std::size_t>(a)].inverse() * X_OL[static_cast<std::size_t>(b)];
   const double bound = (sa.bound.center - X_AB * sb.bound.center).norm() - sa.bound.radius - sb.bound.radius;
   if (bound > exact_below) return bound;
-  return closest_pair(sa.bvh, sb.bvh, X_AB, exact_below).distance;
+  return closest_pair(sa.bvh, sb.bvh, X_AB, exact_below, hint).distance;
 }
 
 }  // namespace eigengrasp

@@ -25,7 +25,8 @@ struct Pair {
   int other;               ///< obstacle or second link
   double clearance = 0.0;  ///< lower bound [m]
   bool fresh = false;      ///< the clearance was computed at the present posture
-  double speed = 0.0;      ///< bound of the relative speed of surface points [m/s]
+  PairHint hint;
+  double speed = 0.0;  ///< bound of the relative speed of surface points [m/s]
 };
 
 class FingerCloser {
@@ -66,15 +67,15 @@ class FingerCloser {
 
   void place(const VecX& joints) { compute_link_poses(hand_, joints, X_OH_, X_OL_); }
 
-  double distance(const Pair& p, double exact_below) const {
+  double distance(Pair& p, double exact_below) const {
     const Pose& X_OL = X_OL_[static_cast<std::size_t>(p.link)];
     switch (p.kind) {
       case Pair::Kind::object:
-        return model_.distance_to_object(p.link, X_OL, exact_below);
+        return model_.distance_to_object(p.link, X_OL, exact_below, &p.hint);
       case Pair::Kind::obstacle:
-        return model_.distance_to_obstacle(p.other, p.link, X_OL, exact_below);
+        return model_.distance_to_obstacle(p.other, p.link, X_OL, exact_below, &p.hint);
       case Pair::Kind::links:
-        return model_.distance_of_links(p.link, p.other, X_OL_, exact_below);
+        return model_.distance_of_links(p.link, p.other, X_OL_, exact_below, &p.hint);
     }
     return 0.0;
   }

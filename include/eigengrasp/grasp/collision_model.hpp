@@ -38,7 +38,7 @@ struct HandSurfaces {
 class CollisionModel {
  public:
   struct Options {
-    double cover_tolerance = 0.0008;  ///< [m] deepest intrusion that no inner sphere notices
+    double cover_tolerance = 0.0015;  ///< [m] deepest intrusion that no inner sphere notices
     double refuse_depth =
         0.0002;        ///< [m] spheres that intrude less are let pass: error of the distance field
     bool fast = true;  ///< prepare distance fields and spheres; else only exact queries work
@@ -51,7 +51,8 @@ class CollisionModel {
   const HandSurfaces& surfaces() const { return surfaces_; }
   const DistanceField& object_field() const { return object_field_; }
 
-  /// Inner spheres against distance fields and each other. Calls legal what intrudes less than about 1 mm.
+  /// Inner spheres against distance fields and each other. Calls legal what intrudes less than about 2 mm;
+  /// what is reported is checked exactly.
   /// Cost: 1-3 us.
   /// @pre options.fast
   Legality check_fast(const std::vector<Pose>& X_OL) const;
@@ -74,9 +75,11 @@ class CollisionModel {
 
   /// Lower bound [m] of the distance between a link and the object; exact below `exact_below` (from meshes).
   /// 0: they intersect.
-  double distance_to_object(int link, const Pose& X_OL, double exact_below) const;
-  double distance_to_obstacle(int obstacle, int link, const Pose& X_OL, double exact_below) const;
-  double distance_of_links(int a, int b, const std::vector<Pose>& X_OL, double exact_below) const;
+  double distance_to_object(int link, const Pose& X_OL, double exact_below, PairHint* hint = nullptr) const;
+  double distance_to_obstacle(int obstacle, int link, const Pose& X_OL, double exact_below,
+                              PairHint* hint = nullptr) const;
+  double distance_of_links(int a, int b, const std::vector<Pose>& X_OL, double exact_below,
+                           PairHint* hint = nullptr) const;
 
  private:
   bool link_hits_field(int link, const Pose& X_OL, const DistanceField& field) const;

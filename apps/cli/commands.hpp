@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The eigengrasp authors
+#pragma once
+
+#include <CLI/App.hpp>
+
+namespace eigengrasp::cli {
+
+/// What the program returns to the shell.
+enum ExitCode : int {
+  success = 0,
+  nothing_found = 1,  ///< sound input, but no form-closed grasp, or a hand with errors
+  bad_input = 2,      ///< one sentence on stderr says what
+};
+
+// Each adds one command, whose callback sets exit_code where it does not end in success.
+void add_plan_command(CLI::App& app, int& exit_code);
+void add_evaluate_command(CLI::App& app);
+void add_quality_command(CLI::App& app);
+void add_render_command(CLI::App& app);
+void add_hand_command(CLI::App& app, int& exit_code);
+void add_object_command(CLI::App& app);
+
+}  // namespace eigengrasp::cli

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The eigengrasp authors
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "eigengrasp/core/pose.hpp"
+
+namespace eigengrasp::cli {
+
+/// One JSON object with the place that errors name: "FILE:LINE".
+struct JsonLine {
+  nlohmann::json value;
+  std::string where;
+
+  /// A member, or null where it is absent.
+  const nlohmann::json& member(const char* name) const;
+  /// Numbers of a member. @throws Error where it is absent, no array of that many (0: any number of) finite
+  /// numbers.
+  VecX numbers(const char* name, int count = 0) const;
+  Vec3 vector(const char* name) const { return numbers(name, 3); }
+  double number(const char* name, double otherwise) const;
+  [[noreturn]] void fail_because(const std::string& sentence) const;
+};
+
+/// Finite numbers of a JSON array. @param what and where: for the error
+VecX json_numbers(const nlohmann::json& array, int count, const std::string& where, const std::string& what);
+
+/// Calls visit for each line that is not blank, in order. @throws Error with file and line for text that is
+/// no JSON object.
+void for_each_json_line(const std::filesystem::path& file, const std::function<void(const JsonLine&)>& visit);
+
+/// A pose as {"position": [m], "orientation": [w, x, y, z]}.
+Pose parse_pose(const JsonLine& line, const char* member);
+nlohmann::json pose_json(const Pose& X);
+
+/// Prints one line of JSON to stdout.
+void print_line(const nlohmann::ordered_json& value);
+
+}  // namespace eigengrasp::cli

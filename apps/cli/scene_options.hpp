@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The eigengrasp authors
+#pragma once
+
+#include <CLI/App.hpp>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "eigengrasp/grasp/scene.hpp"
+#include "eigengrasp/report/grasp_file.hpp"
+
+namespace eigengrasp::cli {
+
+/// Which hand, as the user says it.
+struct HandChoice {
+  std::string name;                                  ///< name, folder, hand.yaml or GraspIt! XML
+  std::vector<std::filesystem::path> contact_files;  ///< of GraspIt!
+  std::filesystem::path eigengrasp_file;             ///< of GraspIt!
+};
+
+/// Which scene, as the user says it.
+struct SceneChoice {
+  std::string object;
+  HandChoice hand;
+  std::string units;
+  double scale = 1.0;
+  std::string table;  ///< height in the object frame [m], or "auto"
+  std::vector<std::filesystem::path> obstacles;
+  std::filesystem::path world;  ///< of GraspIt!
+  std::optional<double> friction;
+};
+
+void add_hand_options(CLI::App& command, HandChoice& choice, bool required);
+void add_scene_options(CLI::App& command, SceneChoice& choice);
+
+/// Warnings of the readers go to stderr.
+std::shared_ptr<const HandModel> load_hand_choice(const HandChoice& choice);
+Scene load_scene(const SceneChoice& choice);
+
+/// For the files that are written.
+ObjectUnits object_units(const SceneChoice& choice);
+
+/// "eigengrasp: warning: ..." on stderr.
+void warn(const std::string& sentence);
+
+}  // namespace eigengrasp::cli
