@@ -60,8 +60,14 @@ VecX graspit_posture(const HandModel& hand, const std::vector<double>& dof_value
     const HandDof& dof = hand.dofs[static_cast<std::size_t>(d)];
     posture[d] = take("value of " + dof.name);
     if (dof.type != DofType::breakaway) continue;
-    for (const HandJoint& joint : hand.joints)
-      if (joint.dof == d && take("flag of " + joint.name) != 0.0) take("value of " + joint.name);
+    for (const HandJoint& joint : hand.joints) {
+      if (joint.dof != d) continue;
+      const double flag = take("flag of " + joint.name);
+      if (flag != 0.0 && flag != 1.0) {
+        fail("the flag of {} is {}, expected 0, or 1 where it broke away", joint.name, flag);
+      }
+      if (flag == 1.0) take("value of " + joint.name);
+    }
   }
   if (next != dof_values.size()) {
     fail("{} dof values, expected {} for {}", dof_values.size(), next, hand.name);
