@@ -24,6 +24,7 @@ constexpr Station stations[] = {{-106, 31, -31, 118}, {-75, 32, -33, 118}, {-35,
                                 {-10, 31, -39, 104},  {15, 38, -43, 84},   {45, 46, -46, 67},
                                 {75, 46.5, -44, 56},  {100, 40, -34, 50}};
 constexpr double heel_end = 29.0, toe_end = 35.0;  // rounded ends beyond the first and the last station [mm]
+constexpr int end_steps = 16;                      // sections of a rounded end
 constexpr double welt = 3.5;                       // the sole stands out beyond the upper [mm]
 constexpr double wall = 4.5;                       // of the upper [mm]
 
@@ -50,14 +51,14 @@ std::vector<Section> upper_sections(double inset, double sink = 0.0) {
     s.push_back({x * mm, 0.5 * (at.inner + at.outer) * mm, base * mm, width * mm,
                  std::max((at.top - base) * low - sink, 2.0) * mm, 9.0 * mm, 2.5});
   };
-  for (int i = 9; i > 0; --i) {
-    const double angle = 0.5 * std::numbers::pi * i / 9.0;
+  for (int i = end_steps; i > 0; --i) {
+    const double angle = 0.5 * std::numbers::pi * i / end_steps;
     add(stations[0].x - (heel_end - inset) * std::sin(angle), stations[0], std::cos(angle), 1.0);
   }
   for (const Station& at : stations) add(at.x, at, 1.0, 1.0);
   const Station& last = stations[std::size(stations) - 1];
-  for (int i = 1; i <= 9; ++i) {
-    const double angle = 0.5 * std::numbers::pi * i / 9.0;
+  for (int i = 1; i <= end_steps; ++i) {
+    const double angle = 0.5 * std::numbers::pi * i / end_steps;
     Station at = last;
     at.inner += 2.0 * std::sin(angle);
     at.outer += 6.0 * std::sin(angle);
@@ -104,7 +105,7 @@ Solid above_collar() {
 
 /// Room of the foot: the upper, a wall thinner, above the insole.
 Solid room() {
-  const Solid inner = sweep(upper_sections(welt + wall, wall));
+  const Solid inner = sweep(upper_sections(welt + wall, wall + 2.0));
   const Solid floor{[](const Vec3& p) { return (lift(p.x() / mm) + 12.0) * mm - p.z(); }, inner.box};
   return smooth_intersect(inner, floor, 8.0 * mm);
 }
@@ -150,7 +151,7 @@ Solid shoe() {
   shoe.box = bottom().box;
   shoe.box.add(outside.box);
   shoe = smooth_subtract(shoe, above_collar(), 3.0 * mm);
-  shoe = smooth_subtract(shoe, room(), 3.0 * mm);
+  shoe = smooth_subtract(shoe, room(), 2.0 * mm);
   return move(shoe, Vec3(0, 0, -45) * mm);
 }
 

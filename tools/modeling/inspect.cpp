@@ -104,7 +104,7 @@ bool triangles_cut(const TriangleMesh& mesh, std::int32_t i, std::int32_t j) {
 }
 
 /// Sweep over the boxes sorted along x.
-std::size_t count_intersections(const TriangleMesh& mesh) {
+std::size_t count_intersections(const TriangleMesh& mesh, Vec3& first) {
   const std::size_t n = mesh.triangles.size();
   std::vector<Box> boxes(n);
   for (std::size_t t = 0; t < n; ++t) {
@@ -121,7 +121,8 @@ std::size_t count_intersections(const TriangleMesh& mesh) {
       const Box& b = boxes[at(order[j])];
       if (a.min.y() > b.max.y() || b.min.y() > a.max.y() || a.min.z() > b.max.z() || b.min.z() > a.max.z())
         continue;
-      count += triangles_cut(mesh, order[i], order[j]) ? 1 : 0;
+      if (!triangles_cut(mesh, order[i], order[j])) continue;
+      if (count++ == 0) first = a.center();
     }
   }
   return count;
@@ -161,7 +162,7 @@ MeshReport inspect(const TriangleMesh& mesh) {
   report.euler_characteristic =
       static_cast<int>(report.vertices) - static_cast<int>(n_edges) + static_cast<int>(report.triangles);
   measure(mesh, report);
-  report.intersections = count_intersections(mesh);
+  report.intersections = count_intersections(mesh, report.first_cut);
   return report;
 }
 
@@ -179,7 +180,9 @@ std::vector<std::string> problems(const MeshReport& report, int expected_euler_c
   if (!(report.volume > 0.0)) found.push_back("the volume is not positive: the normals point inwards");
   if (!(report.min_area > 0.0)) found.push_back("a triangle has no area");
   if (report.intersections > 0) {
-    found.push_back(fmt::format("{} pairs of triangles cut each other", report.intersections));
+    found.push_back(fmt::format("{} pairs of triangles cut each other, one near ({:.4f}, {:.4f}, {:.4f})",
+                                report.intersections, report.first_cut.x(), report.first_cut.y(),
+                                report.first_cut.z()));
   }
   return found;
 }

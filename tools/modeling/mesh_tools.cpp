@@ -81,20 +81,46 @@ void apply(TriangleMesh& mesh, const std::vector<std::vector<std::int32_t>>& fan
   }
 }
 
+double worst_quality(const TriangleMesh& mesh, const std::vector<std::int32_t>& fan) {
+  double worst = 1.0;
+  for (const std::int32_t t : fan) {
+    worst = std::min(worst,
+                     triangle_quality(mesh.corner(at(t), 0), mesh.corner(at(t), 1), mesh.corner(at(t), 2)));
+  }
+  return worst;
+}
+
+/// Of the neighbours of the vertex at p; its triangles form one closed fan.
+Vec3 mean_of_neighbours(const TriangleMesh& mesh, const std::vector<std::int32_t>& fan, const Vec3& p) {
+  Vec3 sum = Vec3::Zero();
+  for (const std::int32_t t : fan) {
+    for (int k = 0; k < 3; ++k) sum += mesh.corner(at(t), k);
+  }
+  const auto n = static_cast<double>(fan.size());
+  return (sum - n * p) / (2.0 * n);  // each neighbour lies in two triangles
+}
+
+/// A point of the surface and the normal there; the normal is zero where there is none.
+struct TangentPlane {
+  Vec3 point, normal;
+};
+
+TangentPlane tangent_plane(const TriangleMesh& mesh, const Solid& solid, std::size_t t, double reach) {
+  const Vec3 c = (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3.0;
+  const Vec3 q = projected(solid, c, gradient(solid, c), reach, 2, false);
+  const Vec3 g = gradient(solid, q);
+  return {q, g.norm() < 0.1 ? Vec3::Zero().eval() : g.normalized()};
+}
+
 /// Point that all tangent planes around vertex v share best, where they differ enough to say so.
-Vec3 feature_point(const TriangleMesh& mesh, const Solid& solid, const std::vector<std::int32_t>& fan,
-                   std::size_t v, double reach) {
-  const Vec3 p = mesh.vertices[v];
+Vec3 feature_point(const Solid& solid, const std::vector<TangentPlane>& planes,
+                   const std::vector<std::int32_t>& fan, const Vec3& p, double reach) {
   Mat3 A = Mat3::Zero();
   Vec3 b = Vec3::Zero();
   for (const std::int32_t t : fan) {
-    const Vec3 c = (mesh.corner(at(t), 0) + mesh.corner(at(t), 1) + mesh.corner(at(t), 2)) / 3.0;
-    const Vec3 q = projected(solid, c, gradient(solid, c), reach, 2, false);
-    const Vec3 g = gradient(solid, q);
-    if (g.norm() < 0.1) continue;
-    const Vec3 n = g.normalized();
+    const Vec3& n = planes[at(t)].normal;
     A += n * n.transpose();
-    b += n * n.dot(q - p);
+    b += n * n.dot(planes[at(t)].point - p);
   }
   const Eigen::SelfAdjointEigenSolver<Mat3> solver(A);
   Vec3 move = Vec3::Zero();
@@ -110,27 +136,24 @@ Vec3 feature_point(const TriangleMesh& mesh, const Solid& solid, const std::vect
 }  // namespace
 
 void project(TriangleMesh& mesh, const Solid& solid, double max_step, int iterations, int n_threads) {
+  std::vector<Vec3> next(mesh.vertices.size());
   for_each_vertex(mesh, n_threads, [&](std::size_t v) {
-    Vec3& p = mesh.vertices[v];
-    p = projected(solid, p, gradient(solid, p), max_step, iterations, true);
+    const Vec3& p = mesh.vertices[v];
+    next[v] = projected(solid, p, gradient(solid, p), max_step, iterations, true);
   });
+  apply(mesh, fans_of(mesh), next);
 }
 
-void relax(TriangleMesh& mesh, const Solid& solid, double max_step, int iterations, int n_threads) {
+void relax(TriangleMesh& mesh, const Solid& solid, double max_step, int iterations, int n_threads,
+           double below_quality) {
   const auto fans = fans_of(mesh);
   for (int i = 0; i < iterations; ++i) {
     std::vector<Vec3> next = mesh.vertices;
     for_each_vertex(mesh, n_threads, [&](std::size_t v) {
+      if (fans[v].empty() || worst_quality(mesh, fans[v]) > below_quality) return;
       const Vec3 p = mesh.vertices[v];
-      Vec3 mean = Vec3::Zero();
-      for (const std::int32_t t : fans[v]) {
-        for (int k = 0; k < 3; ++k) mean += mesh.corner(at(t), k);
-      }
-      const auto n = static_cast<double>(fans[v].size());
-      if (n == 0.0) return;
-      mean = (mean - n * p) / (2.0 * n);  // each neighbour lies in two triangles
       const Vec3 g = gradient(solid, p);
-      Vec3 step = mean - p;
+      Vec3 step = mean_of_neighbours(mesh, fans[v], p) - p;
       if (g.squaredNorm() > 1e-4) step -= g * (g.dot(step) / g.squaredNorm());
       const Vec3 q = projected(solid, p + 0.6 * step, g, max_step, 2, false);
       if ((q - p).norm() < 4.0 * max_step) next[v] = q;
@@ -141,9 +164,17 @@ void relax(TriangleMesh& mesh, const Solid& solid, double max_step, int iteratio
 
 void sharpen(TriangleMesh& mesh, const Solid& solid, double reach, int n_threads) {
   const auto fans = fans_of(mesh);
+  const std::size_t n = mesh.triangles.size();
+  std::vector<TangentPlane> planes(n);
+  parallel_for((n + chunk - 1) / chunk, n_threads, [&](std::size_t c, int) {
+    for (std::size_t t = c * chunk; t < std::min(n, (c + 1) * chunk); ++t) {
+      planes[t] = tangent_plane(mesh, solid, t, reach);
+    }
+  });
   std::vector<Vec3> next(mesh.vertices.size());
-  for_each_vertex(mesh, n_threads,
-                  [&](std::size_t v) { next[v] = feature_point(mesh, solid, fans[v], v, reach); });
+  for_each_vertex(mesh, n_threads, [&](std::size_t v) {
+    next[v] = feature_point(solid, planes, fans[v], mesh.vertices[v], reach);
+  });
   apply(mesh, fans, next);
 }
 

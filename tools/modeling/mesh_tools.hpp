@@ -11,13 +11,22 @@
 
 namespace eigengrasp::modeling {
 
-/// Moves every vertex onto the zero set by Newton steps along the gradient, each at most max_step [m].
+/// Moves every vertex onto the zero set by Newton steps along the gradient, each at most max_step [m]. A move
+/// is left out where it would turn a triangle over or make it a sliver.
 void project(TriangleMesh& mesh, const Solid& solid, double max_step, int iterations = 3, int n_threads = 0);
 
 /// `iterations` rounds of: every vertex goes part of the way to the mean of its neighbours along the surface,
-/// then back onto the zero set. Makes triangles more even. A step is taken back where it would turn a
-/// triangle over.
-void relax(TriangleMesh& mesh, const Solid& solid, double max_step, int iterations, int n_threads = 0);
+/// then back onto the zero set. Makes triangles more even. A step is left out where it would turn a triangle
+/// over or make it a sliver. Only vertices with a triangle worse than below_quality move (see
+/// triangle_quality; 1: all).
+void relax(TriangleMesh& mesh, const Solid& solid, double max_step, int iterations, int n_threads = 0,
+           double below_quality = 1.0);
+
+/// One pass that swaps the edge between two triangles for the other diagonal where the worse of both gets
+/// better and neither turns by more than min_cosine allows against the surface of the pair. Returns the
+/// number of flips; call it a few times, in turn with relax().
+/// @pre the mesh is closed and manifold; it stays so.
+std::size_t flip_edges(TriangleMesh& mesh, double min_cosine = 0.985);
 
 /// Moves vertices that lie beside a sharp edge or corner of the zero set onto it (quadric of the tangent
 /// planes around); others stay. reach [m] is the largest move.
@@ -39,6 +48,7 @@ struct MeshReport {
   double min_area = 0.0;          ///< of a triangle [m^2]
   double min_quality = 0.0;       ///< of a triangle, 1 equilateral, 0 flat
   double longest_edge = 0.0;      ///< [m]
+  Vec3 first_cut = Vec3::Zero();  ///< where the first such pair is [m]
   std::size_t intersections = 0;  ///< pairs of triangles that cut each other (shared corners and edges apart)
 };
 

@@ -84,15 +84,20 @@ struct SectionCurves {
   double distance(const Vec3& p) const {
     Numbers v, dv;
     at(p.x(), v, dv);
-    const std::size_t half = p.z() >= v[1] ? 3 : 4, small = v[2] < v[half] ? 2 : half;
+    const std::size_t half = p.z() >= v[1] ? 3 : 4;
     const double n = v[5], sign_y = p.y() >= v[0] ? 1.0 : -1.0, sign_z = half == 3 ? 1.0 : -1.0;
     const double y = sign_y * (p.y() - v[0]) / v[2] + 1e-9, z = sign_z * (p.z() - v[1]) / v[half];
     const double top = std::max(y, z);
     const double rho = top * std::pow(std::pow(y / top, n) + std::pow(z / top, n), 1.0 / n);
     const double gy = std::pow(y / rho, n - 1.0) / v[2], gz = std::pow(z / rho, n - 1.0) / v[half];
     const double gx = -gy * (sign_y * dv[0] + y * dv[2]) - gz * (sign_z * dv[1] + z * dv[half]);
-    const double s = v[small], F = (rho * rho - 1.0) * s * s;
-    const double Fx = 2.0 * rho * gx * s * s + 2.0 * (rho * rho - 1.0) * s * dv[small];
+    double inverse = 0.0, growth = 0.0;
+    for (std::size_t k = 2; k < 5; ++k) {
+      inverse += 1.0 / (v[k] * v[k]);
+      growth += dv[k] / (v[k] * v[k] * v[k]);
+    }
+    const double s = 1.0 / std::sqrt(inverse), ds = s * s * s * growth, F = (rho * rho - 1.0) * s * s;
+    const double Fx = 2.0 * rho * gx * s * s + 2.0 * (rho * rho - 1.0) * s * ds;
     const double steep = std::hypot(Fx, 2.0 * rho * s * s * std::hypot(gy, gz));
     // Inside, the square root keeps the value finite at the centre line, where the slope vanishes.
     const double side = F > 0.0 ? F / steep : F / (0.5 * steep + std::sqrt(0.25 * steep * steep - F));
