@@ -56,18 +56,23 @@ std::string shown(const OrderedJson& json) {
   return text;
 }
 
-/// Through a matrix and back a quaternion may change its last digits, until it stays or goes around a small
-/// circle. This is the least one (w, x, y, z) of where that ends.
+/// Through a matrix and back a quaternion may change its last digits, for some hundred times at most, until
+/// it stays or goes around a small circle. This is the least one (w, x, y, z) of where that ends.
 Eigen::Quaterniond lasting_orientation(const Pose& X) {
-  constexpr int kSteps = 32;
+  constexpr int kLongestWay = 4096;
+  constexpr int kLongestCircle = 64;
   const auto next = [](const Eigen::Quaterniond& q) { return orientation(make_pose(q, Vec3::Zero())); };
   const auto less = [](const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
     return std::tuple(a.w(), a.x(), a.y(), a.z()) < std::tuple(b.w(), b.x(), b.y(), b.z());
   };
   Eigen::Quaterniond q = orientation(X);
-  for (int i = 0; i < kSteps; ++i) q = next(q);
+  for (int i = 0; i < kLongestWay; ++i) {
+    const Eigen::Quaterniond before = q;
+    q = next(q);
+    if (q.coeffs() == before.coeffs()) return q;
+  }
   Eigen::Quaterniond least = q;
-  for (int i = 0; i < kSteps; ++i) {
+  for (int i = 0; i < kLongestCircle; ++i) {
     q = next(q);
     if (less(q, least)) least = q;
   }
