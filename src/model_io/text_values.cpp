@@ -11,6 +11,7 @@
 namespace eigengrasp {
 
 namespace {
+constexpr double largest_number = 1e30;
 constexpr std::string_view white_space = " \t\r\n\f\v";
 
 /// Number of letters to change, add or drop that make b of a (Levenshtein).
@@ -48,7 +49,7 @@ std::string_view trimmed(std::string_view text) {
 
 std::optional<double> parse_number(std::string_view text) {
   const auto value = parse_whole<double>(text);
-  return value && std::isfinite(*value) ? value : std::nullopt;
+  return value && std::abs(*value) <= largest_number ? value : std::nullopt;
 }
 
 std::optional<int> parse_integer(std::string_view text) {

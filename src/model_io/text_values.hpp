@@ -17,7 +17,8 @@ inline constexpr double radians_of_degree = 0.017453292519943295;
 /// Without white space at either end.
 std::string_view trimmed(std::string_view text);
 
-/// The finite number that the whole text is (a leading + is allowed), whatever the locale.
+/// The number that the whole text is (a leading + is allowed), whatever the locale. Numbers beyond 1e30 are
+/// refused like infinite ones: no length, angle or mass is that large, and their squares would overflow.
 std::optional<double> parse_number(std::string_view text);
 
 /// Finite numbers separated by white space or commas; nothing where a part is not one.
