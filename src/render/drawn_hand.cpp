@@ -85,7 +85,8 @@ Vec3 finger_direction(const HandModel& hand) {
   }
   if (n_tips == 0 || palm.empty()) return hand.approach_direction_H;
   const Vec3 direction = tips / n_tips - palm.center();
-  return direction.norm() > 1e-3 ? direction.normalized() : hand.approach_direction_H;
+  const bool along_approach = direction.dot(hand.approach_direction_H) > 0.7 * direction.norm();
+  return along_approach || direction.norm() < 1e-3 ? hand.approach_direction_H : direction.normalized();
 }
 
 Vec3 hand_view(const HandModel& hand) {

@@ -74,7 +74,7 @@ std::string rating(const Grasp& grasp) {
 
 std::string names(const Scene& scene) {
   const std::string hand = scene.hand->title.empty() ? scene.hand->name : scene.hand->title;
-  return fmt::format("{} \u2013 {}", hand, scene.object->name);
+  return fmt::format("{} \u2013 {}", hand.substr(0, hand.find(',')), scene.object->name);
 }
 
 void require_parts(const Scene& scene) {

@@ -25,6 +25,12 @@ std::string title_of(const HandModel& hand) {
   return hand.title.empty() ? hand.name : hand.title;
 }
 
+/// The title up to its first comma.
+std::string short_title_of(const HandModel& hand) {
+  const std::string title = title_of(hand);
+  return title.substr(0, title.find(','));
+}
+
 VecX rest_joints(const HandModel& hand) {
   return joint_values(hand, hand.rest_posture());
 }
@@ -39,17 +45,21 @@ void require_geometry(const HandModel& hand) {
   fail("the hand \"{}\" has no link with a mesh, expected at least one to draw", hand.name);
 }
 
-/// Adds the virtual contacts with their normals.
-void add_virtual_contacts(RenderScene& scene, const HandModel& hand, const Palette& palette) {
+/// Adds the virtual contacts with their normals; returns where the arrows end.
+std::vector<Vec3> add_virtual_contacts(RenderScene& scene, const HandModel& hand, const Palette& palette) {
   std::vector<Pose> X_HL;
   compute_link_poses(hand, rest_joints(hand), Pose::Identity(), X_HL);
   const double size = scene.framed_box().diagonal();
+  std::vector<Vec3> ends;
   for (const VirtualContact& contact : hand.virtual_contacts) {
     const Pose& X = X_HL[static_cast<std::size_t>(contact.link)];
     const Vec3 p = X * contact.p_LC;
+    const Vec3 n = X.linear() * contact.n_LC;
     scene.add_sphere(p, 0.010 * size, palette.contact);
-    scene.add_arrow(p, X.linear() * contact.n_LC, 0.085 * size, palette.arrow);
+    scene.add_arrow(p, n, 0.085 * size, palette.arrow);
+    ends.emplace_back(p + 0.085 * size * n);
   }
+  return ends;
 }
 
 /// The hand at one amplitude of one eigengrasp, the others 0; joints stop at their limits.
@@ -101,15 +111,17 @@ Image hand_contacts_picture(const std::shared_ptr<const HandModel>& hand, const 
   for (const View& view : {facing, oblique}) {
     TileScene tile;
     drawn.add_to(tile.scene, rest_joints(*hand), Pose::Identity(), options.palette);
-    tile.camera = frame(tile.scene, view);
-    add_virtual_contacts(tile.scene, *hand, options.palette);
+    std::vector<Vec3> points = tile.scene.framed_points();
+    const std::vector<Vec3> ends = add_virtual_contacts(tile.scene, *hand, options.palette);
+    points.insert(points.end(), ends.begin(), ends.end());
+    tile.camera = frame_camera(points, view.direction, view.up, kDefaultFov, 1.0, kTileMargin);
     tiles.push_back(std::move(tile));
   }
   PictureGrid grid;
   grid.columns = 2;
   grid.tiles = draw_tiles(tiles, options);
   grid.heading = heading_or(
-      options, fmt::format("{}: {} virtual contacts", title_of(*hand), hand->virtual_contacts.size()));
+      options, fmt::format("{}: {} virtual contacts", short_title_of(*hand), hand->virtual_contacts.size()));
   return draw_grid(grid);
 }
 
@@ -124,18 +136,18 @@ Image eigengrasp_picture(const std::shared_ptr<const HandModel>& hand, int rows,
   PictureGrid grid;
   for (int i = 0; i < n; ++i) {
     const Eigengrasp& e = space[i];
-    const std::string name = e.name.empty() ? fmt::format("eigengrasp {}", i + 1) : e.name;
-    for (const double amplitude : {e.min, 0.0, e.max}) {
+    for (const double amplitude : {e.min, 0.0, e.max})
       tiles.push_back(amplitude_scene(drawn, i, amplitude, options));
-      const char* end = amplitude == e.min ? "smallest" : "largest";
-      grid.titles.push_back(amplitude == 0.0 ? "origin" : fmt::format("{}: {}", name, end));
-      grid.captions.push_back(fmt::format("a{} = {:+.2f}", i + 1, amplitude));
-    }
+    for (const char* end : {"smallest", "", "largest"})
+      grid.titles.push_back(*end == 0 ? "origin" : fmt::format("eigengrasp {}, {}", i + 1, end));
+    grid.captions.push_back(fmt::format("a{} = {:.2f}", i + 1, e.min));
+    grid.captions.push_back(e.name);
+    grid.captions.push_back(fmt::format("a{} = {:.2f}", i + 1, e.max));
   }
   frame_together(tiles, view_of(*hand, options));
   grid.columns = 3;
   grid.tiles = draw_tiles(tiles, options);
-  grid.heading = heading_or(options, title_of(*hand) + ": eigengrasps");
+  grid.heading = heading_or(options, short_title_of(*hand) + ": eigengrasps");
   return draw_grid(grid);
 }
 
@@ -153,10 +165,11 @@ Image hands_side_by_side(std::span<const std::shared_ptr<const HandModel>> hands
     DrawnHand(hand).add_to(tile.scene, rest_joints(*hand), Pose::Identity(), options.palette);
     tile.camera = frame(tile.scene, view_of(*hand, options));
     tiles.push_back(std::move(tile));
-    grid.titles.push_back(title_of(*hand));
+    grid.titles.push_back(short_title_of(*hand));
   }
   if (alike) frame_together(tiles, first);
-  grid.columns = sheet_columns(hands.size(), options);
+  grid.columns = hands.size() <= 4 && options.columns == 0 ? static_cast<int>(hands.size())
+                                                           : sheet_columns(hands.size(), options);
   grid.captions = std::move(captions);
   grid.heading = options.heading;
   grid.tiles = draw_tiles(tiles, options);

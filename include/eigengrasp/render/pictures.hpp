@@ -60,7 +60,7 @@ class DrawnHand {
 VecX joints_by_name(const HandModel& hand, const NamedValues& values);
 
 /// From the palm to the fingertips in the rest posture, unit, in the hand frame; the approach direction
-/// where the hand has no fingers.
+/// where they are within 45 degrees, or the hand has no fingers.
 Vec3 finger_direction(const HandModel& hand);
 
 /// A direction from which the palm side and most links of the hand are seen, in the hand frame.
