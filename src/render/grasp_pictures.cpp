@@ -12,8 +12,8 @@ namespace eigengrasp {
 
 namespace {
 
-constexpr double kBallSize = 0.007;   // radius of a contact by the size of the picture
-constexpr double kConeLength = 0.07;  // likewise
+constexpr double kBallSize = 0.009;    // radius of a contact by the size of the picture
+constexpr double kConeLength = 0.045;  // likewise
 
 /// What all tiles of a grasp picture share.
 class GraspDrawer {
@@ -37,7 +37,7 @@ class GraspDrawer {
       item.framed = false;
       item.interest = 0.0;
       item.fade_center_W = object_box_.center();
-      item.fade_radius = 0.95 * box.diagonal();
+      item.fade_radius = 0.75 * box.diagonal();
     }
     return tile;
   }

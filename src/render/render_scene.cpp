@@ -47,7 +47,7 @@ RenderItem& RenderScene::add(const TriangleMesh& mesh, const Pose& X_WM, const C
 RenderItem& RenderScene::add_sphere(const Vec3& center_W, double radius, const Color& color) {
   RenderItem& item = add(ball_surface(), make_pose(Eigen::Quaterniond::Identity(), center_W), color);
   item.scale = Vec3::Constant(radius);
-  item.see_through = 0.3;
+  item.see_through = 0.45;
   item.framed = false;
   item.interest = 0.0;
   return item;
@@ -58,7 +58,7 @@ RenderItem& RenderScene::add_cone(const Vec3& apex_W, const Vec3& axis_W, double
   RenderItem& item = add(cone_surface(), along(apex_W, axis_W), color);
   const double radius = std::max(mu, 0.02) * length;
   item.scale = Vec3(radius, radius, length);
-  item.see_through = 0.6;
+  item.see_through = 0.5;
   item.group = new_group();
   item.framed = false;
   item.interest = 0.0;

@@ -247,14 +247,20 @@ bool Renderer::push_layer(LayerStack& stack, const SurfaceHit& hit, const Surfac
 }
 
 /// Largest where half of the pixel's samples see another surface than the first one: a line along
-/// silhouettes.
+/// silhouettes. What fades into the background counts as background.
 float Renderer::outline(const Samples& samples) const {
-  const SurfaceHit& first = samples.hits[0];
+  std::array<int, kLanes> items;
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    items[i] = samples.hits[i].item;
+    if (items[i] < 0) continue;
+    const RenderItem& item = scene_.item(items[i]);
+    if (item.fade_radius > 0.0 || item.shadow_only) items[i] = -1;
+  }
+  const float first = samples.hits[0].distance;
   int same = 0;
-  for (const SurfaceHit& hit : samples.hits) {
-    const float gap = std::abs(hit.distance - first.distance);
-    const bool near = gap < 12.0F * pixel_ * first.distance;
-    same += hit.item == first.item && (hit.item < 0 || near) ? 1 : 0;
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    const bool near = std::abs(samples.hits[i].distance - first) < 12.0F * pixel_ * first;
+    same += items[i] == items[0] && (items[i] < 0 || near) ? 1 : 0;
   }
   const float share = static_cast<float>(same) / kLanes;
   return 4.0F * share * (1.0F - share);
