@@ -107,7 +107,9 @@ Solid above_collar() {
 Solid room() {
   const Solid inner = sweep(upper_sections(welt + wall, wall + 2.0));
   const Solid floor{[](const Vec3& p) { return (lift(p.x() / mm) + 12.0) * mm - p.z(); }, inner.box};
-  return smooth_intersect(inner, floor, 8.0 * mm);
+  // Blunt in front: the distance to a narrow end is a poor one.
+  const Solid front = half_space(Vec3(117, 0, 0) * mm, Vec3::UnitX(), inner.box);
+  return smooth_intersect(smooth_intersect(inner, front, 8.0 * mm), floor, 8.0 * mm);
 }
 
 /// Vertical prism over a rectangle [mm], corners rounded.
@@ -123,28 +125,31 @@ Solid raised(const Solid& skin, const Solid& where, double height, double round)
   return smooth_intersect(inflate(skin, height * mm), where, round * mm);
 }
 
-/// Facings beside the throat, laces across it and the toe cap, all as thin raised parts of the upper.
+/// Facings beside the throat and laces across it, as raised parts of the upper.
 Solid trimmings(const Solid& upper) {
   std::vector<Solid> laces;
   for (int i = 0; i < 5; ++i) laces.push_back(band(-2.0 + 12.5 * i, -1.0 + 0.5 * i, 5.0, 33.0, 2.2));
-  Solid trim = raised(upper, unite(laces), 3.6, 3.0);
+  const Solid trim = raised(upper, unite(laces), 3.6, 3.0);
   const Solid facing = subtract(band(22, 0, 72, 52, 16), band(30, 0, 72, 17, 8));
-  trim = smooth_unite(trim, raised(upper, facing, 1.6, 2.0), 1.5 * mm);
+  return smooth_unite(trim, raised(upper, facing, 1.6, 2.0), 1.5 * mm);
+}
+
+/// Toe cap and heel counter: the upper once more, a little thicker, up to their seams.
+Solid caps() {
   const Solid thicker = sweep(upper_sections(welt - 1.3, -1.3));
   const Box& all = thicker.box;
   const Solid cap = subtract(half_space(Vec3(92, 0, 0) * mm, Vec3(-1, 0, 0), all),
                              cylinder(Vec3(40, 2, -50) * mm, Vec3(40, 2, 200) * mm, 57.0 * mm));
-  trim = unite(trim, smooth_intersect(thicker, cap, 2.0 * mm));
   const Solid counter = half_space(Vec3(-88, 0, 0) * mm, Vec3(1, 0, -0.35), all);  // around the heel
-  return unite(trim, smooth_intersect(thicker, counter, 2.0 * mm));
+  return unite(smooth_intersect(thicker, cap, 2.0 * mm), smooth_intersect(thicker, counter, 2.0 * mm));
 }
 
 }  // namespace
 
 Solid shoe() {
   const Solid upper = sweep(upper_sections(welt));
-  const Solid outside = smooth_unite(upper, trimmings(upper), 1.5 * mm);
-  Solid shoe = smooth_unite(outside, bottom(), 3.0 * mm);
+  const Solid outside = smooth_unite(smooth_unite(upper, trimmings(upper), 1.5 * mm), caps(), 0.8 * mm);
+  Solid shoe = smooth_unite(outside, bottom(), 1.5 * mm);
   // Nothing of the upper below the sole.
   const Solid underside{[](const Vec3& p) { return (lift(p.x() / mm) + 4.0) * mm - p.z(); }, upper.box};
   shoe = unite(intersect(shoe, underside), bottom());
