@@ -25,6 +25,7 @@ constexpr double kMillimetre = 1e-3;
 struct ReferenceGrasp {
   std::string name;
   double epsilon = 0.0;
+  double volume = 0.0;
   WrenchSpaceOptions options;
   std::vector<ContactPoint> contacts;
   std::vector<std::vector<Vec6>> wrenches;  // of each contact
@@ -54,6 +55,7 @@ ReferenceGrasp read_grasp(const json& j, std::size_t line) {
   g.name = "line " + std::to_string(line) + " " + j["hand"].get<std::string>() + " " +
            j["object"].get<std::string>();
   g.epsilon = j["epsilon_qhull"].get<double>();
+  g.volume = j["volume"].get<double>();
   g.options.torque_origin_O = read_vec3(j["centre_of_mass"]) * kMillimetre;
   g.options.torque_scale = j["max_radius"].get<double>() * kMillimetre;
   for (const json& c : j["contacts"]) {
@@ -197,6 +199,27 @@ TEST(QualityReference, EpsilonOfItsContactsWithOurEdges) {
   }
   EXPECT_LE(beyond, 2);
   std::printf("worst residual %.3g, %d beyond 0.01\n", worst, beyond);
+}
+
+// Its volume is that of a hull joggled by much more than ours; 0 where that failed, tiny where the set is
+// flat.
+TEST(QualityReference, VolumeOfItsWrenches) {
+  const auto file = testing::test_data("reference/grasps.jsonl");
+  EIGENGRASP_REQUIRE_DATA(file);
+  double worst = 0.0;
+  int compared = 0;
+  const auto& grasps = reference_grasps(file);
+  for (std::size_t i = 0; i < grasps.size(); i += 6) {
+    const ReferenceGrasp& g = grasps[i];
+    if (g.volume < 1e-3) continue;
+    const double volume = compute_hull_volume(g.all_wrenches());
+    EXPECT_LE(volume, 1.02 * g.volume) << g.name;
+    EXPECT_GE(volume, (1.0 - 1e-4) * g.volume) << g.name;
+    worst = std::max(worst, std::abs(volume - g.volume) / g.volume);
+    ++compared;
+  }
+  EXPECT_GT(compared, 10);
+  std::printf("worst relative residual %.3g of %d\n", worst, compared);
 }
 
 }  // namespace

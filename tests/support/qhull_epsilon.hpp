@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <limits>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "eigengrasp/core/pose.hpp"
@@ -16,24 +17,23 @@ extern "C" {
 
 namespace eigengrasp::testing {
 
-/// Least distance from the origin to a facet of the convex hull, 0 where the origin is not inside or the hull
-/// is flat: the whole hull by Qhull, an independent way to epsilon.
-inline double epsilon_by_qhull(std::span<const Vec6> wrenches) {
-  if (wrenches.size() < 7) return 0.0;
+/// Least support value of the wrenches over the normals of the facets that Qhull finds, infinity where it
+/// fails. Never below the true distance, and equal to it where the hull is right.
+inline double least_support_by_qhull(std::span<const Vec6> wrenches, std::string command) {
   std::vector<double> coordinates;
   for (const Vec6& w : wrenches) coordinates.insert(coordinates.end(), w.data(), w.data() + 6);
   FILE* silent = std::fopen("/dev/null", "w");
   qhT qhull;
   qh_zero(&qhull, silent);
-  char command[] = "qhull Qt Qx Q12 Pp";
-  double epsilon = std::numeric_limits<double>::infinity();
-  if (qh_new_qhull(&qhull, 6, static_cast<int>(wrenches.size()), coordinates.data(), False, command, nullptr,
-                   silent) == 0) {
+  double least = std::numeric_limits<double>::infinity();
+  if (qh_new_qhull(&qhull, 6, static_cast<int>(wrenches.size()), coordinates.data(), False, command.data(),
+                   nullptr, silent) == 0) {
     for (const facetT* f = qhull.facet_list; f != nullptr && f->next != nullptr; f = f->next) {
-      epsilon = std::min(epsilon, -f->offset);
+      if (-f->offset > least + 1e-6) continue;
+      double support = std::numeric_limits<double>::lowest();
+      for (const Vec6& w : wrenches) support = std::max(support, Eigen::Map<const Vec6>(f->normal).dot(w));
+      least = std::min(least, support);
     }
-  } else {
-    epsilon = 0.0;
   }
   qhull.NOerrexit = True;
   qh_freeqhull(&qhull, !qh_ALL);
@@ -41,7 +41,19 @@ inline double epsilon_by_qhull(std::span<const Vec6> wrenches) {
   int n_bytes = 0;
   qh_memfreeshort(&qhull, &n_blocks, &n_bytes);
   std::fclose(silent);
-  return std::max(0.0, epsilon);
+  return least;
+}
+
+/// Distance from the origin to the boundary of the convex hull of wrenches, 0 where the origin is not inside,
+/// by the whole hull: an independent way to epsilon. Two hulls, since Qhull's merging of facets (exact, but
+/// wrong or failing where many wrenches are coplanar or nearly repeated) and its joggle (always right to
+/// about 1e-9) complement each other.
+inline double epsilon_by_qhull(std::span<const Vec6> wrenches) {
+  if (wrenches.size() < 7) return 0.0;
+  const double merged = least_support_by_qhull(wrenches, "qhull Qt Q12 C-1e-10 Pp");
+  const double joggled = least_support_by_qhull(wrenches, "qhull QJ1e-10 Pp");
+  const double least = std::min(merged, joggled);
+  return least < std::numeric_limits<double>::infinity() ? std::max(0.0, least) : 0.0;
 }
 
 }  // namespace eigengrasp::testing

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
 // Epsilon by the expanding polytope against the whole hull by Qhull: random sets, and the degenerate ones on
-// purpose. Qhull merges facets, so that it is itself only good to about 1e-8 where many wrenches are
-// coplanar.
+// purpose.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "support/qhull_epsilon.hpp"
@@ -124,6 +124,40 @@ TEST(EpsilonVsQhull, AlignedGridsWithManyCoplanarWrenches) {
       }
     }
     expect_as_qhull(edge_wrenches(contacts, {}), 1e-8, static_cast<std::uint64_t>(per_side));
+  }
+}
+
+// Positions on a grid of three, normals along few directions, some contacts mirrored, torsion from none to
+// huge.
+std::vector<ContactPoint> grid_contacts(std::uint64_t seed) {
+  RandomStream random{seed, 77};
+  const auto pick = [&](int n) { return static_cast<int>(random.uniform() * n); };
+  const int n = 1 + pick(9);
+  const double mu = std::array{0.0, 0.5, 1.0, 0.3}[static_cast<std::size_t>(pick(4))];
+  const double e = std::array{0.0, 0.0, 0.5, 1e-3}[static_cast<std::size_t>(pick(4))];
+  std::vector<ContactPoint> contacts;
+  for (int i = 0; i < n; ++i) {
+    ContactPoint c;
+    for (int k = 0; k < 3; ++k) c.p_OC[k] = pick(3) - 1;
+    c.n_OC = (pick(2) ? 1.0 : -1.0) * Vec3::Unit(pick(3));
+    if (pick(3) == 0) c.n_OC = Vec3(pick(3) - 1, pick(3) - 1, 1).normalized();
+    c.mu = mu;
+    c.torsion_length = e;
+    contacts.push_back(c);
+    if (pick(5) < 2) {
+      c.p_OC = -c.p_OC;
+      c.n_OC = -c.n_OC;
+      contacts.push_back(c);
+    }
+  }
+  return contacts;
+}
+
+TEST(EpsilonVsQhull, ContactsOnAGrid) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    WrenchSpaceOptions options;
+    options.edges = seed % 2 ? 8 : 4;
+    expect_as_qhull(edge_wrenches(grid_contacts(seed), options), 2e-9, seed);
   }
 }
 

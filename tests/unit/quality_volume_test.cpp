@@ -20,14 +20,14 @@ std::vector<Vec6> cube(double half_width) {
 }
 
 TEST(HullVolume, CubeAndCrossPolytope) {
-  EXPECT_NEAR(compute_hull_volume(cube(0.5)), 1.0, 1e-12);
-  EXPECT_NEAR(compute_hull_volume(cube(1.0)), 64.0, 1e-10);
+  EXPECT_NEAR(compute_hull_volume(cube(0.5)), 1.0, 1e-8);
+  EXPECT_NEAR(compute_hull_volume(cube(1.0)), 64.0, 1e-6);
   std::vector<Vec6> cross;
   for (int k = 0; k < 6; ++k) {
     cross.push_back(Vec6::Unit(k));
     cross.push_back(-Vec6::Unit(k));
   }
-  EXPECT_NEAR(compute_hull_volume(cross), 64.0 / 720.0, 1e-12);
+  EXPECT_NEAR(compute_hull_volume(cross), 64.0 / 720.0, 1e-9);
 }
 
 TEST(HullVolume, DegenerateSetsAreZeroAndSilent) {
@@ -79,7 +79,7 @@ TEST(WrenchSpaceVolume, LinfIsTheVolumeOfTheMinkowskiSum) {
   }
   const double expected = compute_hull_volume(sum);
   EXPECT_GT(expected, 0.0);
-  EXPECT_NEAR(compute_volume(contacts, options), expected, 1e-9 * expected);
+  EXPECT_NEAR(compute_volume(contacts, options), expected, 1e-7 * expected);
 }
 
 }  // namespace

@@ -51,9 +51,9 @@ void append_edge_wrenches(const ContactPoint& contact, const WrenchSpaceOptions&
 /// never an error. Where the cone is exact the result is an upper bound, at most options.tolerance too high;
 /// the work is limited to about a million facets, which only exact cones with tolerances below 1e-9 come
 /// near.
-/// @pre finite contacts, unit normals, options as their bounds say. Cost: 0.01 ms for 3 contacts, 0.1 ms for
-/// 8; exact cones five times that, and up to 100 ms for two soft fingers that oppose each other to tolerance
-/// 1e-9. Does not allocate after the first calls of a thread.
+/// @pre finite contacts, unit normals, options as their bounds say. Cost: 0.005 ms for 3 contacts, 0.1 ms
+/// for 8; exact cones five times that, and up to 100 ms for two soft fingers that oppose each other to
+/// tolerance 1e-9. Does not allocate after the first calls of a thread.
 WrenchSpaceQuality compute_epsilon(std::span<const ContactPoint> contacts, const WrenchSpaceOptions& options);
 
 /// The same for plain wrenches whose L1 wrench space is their convex hull.
@@ -64,8 +64,9 @@ WrenchSpaceQuality compute_epsilon(std::span<const Vec6> wrenches, double epsilo
 /// epsilon_min / 1000 of epsilon_min may be decided either way.
 bool has_form_closure(std::span<const ContactPoint> contacts, const WrenchSpaceOptions& options);
 
-/// Volume of the convex hull of the wrenches in six dimensions (Qhull); 0 where they are degenerate. Cost:
-/// 10-100 ms.
+/// Volume of the convex hull of the wrenches in six dimensions, to about 1e-8 of its value (Qhull, joggled by
+/// 1e-10: its merging of coplanar facets loses whole parts of such hulls); 0 where they are degenerate: flat
+/// to 1e-7 of their extent. Prints nothing. Cost: 10-100 ms.
 double compute_hull_volume(std::span<const Vec6> wrenches);
 
 /// Volume of the wrench space of the contacts, from the edges of their cones whatever options.cone says;
