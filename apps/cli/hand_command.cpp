@@ -197,7 +197,7 @@ void print_components(const PcaChoice& choice) {
 void add_show(CLI::App& hand) {
   auto choice = std::make_shared<ShowChoice>();
   CLI::App* command = hand.add_subcommand("show", "Print a hand's data; draw it with --png");
-  add_hand_options(*command, choice->hand, false);
+  add_graspit_options(*command, choice->hand, "--contact-files");
   command->add_option("name", choice->hand.name, "Name, folder, hand.yaml or GraspIt! XML")->required();
   command->add_flag("--eigengrasps", choice->eigengrasps,
                     "Draw each eigengrasp at its smallest and largest amplitude (Table I)");
@@ -221,7 +221,7 @@ void add_hand_command(CLI::App& app, int& exit_code) {
   auto checked = std::make_shared<HandChoice>();
   CLI::App* check =
       hand->add_subcommand("check", "Say what is wrong with a hand and how to mend it (exit code 1: errors)");
-  add_hand_options(*check, *checked, false);
+  add_graspit_options(*check, *checked, "--contact-files");
   check->add_option("path", checked->name, "Name, folder, hand.yaml or GraspIt! XML")->required();
   check->callback([checked, &exit_code] { exit_code = check_given_hand(*checked); });
 

@@ -21,14 +21,15 @@ void warn(const std::string& sentence) {
   fmt::print(stderr, "eigengrasp: warning: {}\n", sentence);
 }
 
-void add_hand_options(CLI::App& command, HandChoice& choice, bool required) {
-  auto* hand =
-      command.add_option("--hand", choice.name,
-                         "Name of a shipped hand (see 'eigengrasp hand list'), folder with a hand.yaml, or "
-                         "GraspIt! robot XML");
-  if (required) hand->required();
+void add_hand_option(CLI::App& command, HandChoice& choice) {
+  command.add_option(
+      "--hand", choice.name,
+      "Name of a shipped hand (see 'eigengrasp hand list'), folder with a hand.yaml, or GraspIt! robot XML");
+}
+
+void add_graspit_options(CLI::App& command, HandChoice& choice, const std::string& contacts) {
   command
-      .add_option("--contacts", choice.contact_files,
+      .add_option(contacts, choice.contact_files,
                   "GraspIt! virtual contact files, instead of the robot file's")
       ->delimiter(',');
   command.add_option("--eigengrasp-file", choice.eigengrasp_file,
@@ -36,7 +37,8 @@ void add_hand_options(CLI::App& command, HandChoice& choice, bool required) {
 }
 
 void add_scene_options(CLI::App& command, SceneChoice& choice) {
-  add_hand_options(command, choice.hand, false);
+  add_hand_option(command, choice.hand);
+  add_graspit_options(command, choice.hand);
   command.add_option("--units", choice.units,
                      "Units of the object's file: m, cm, mm, in (GraspIt! files: mm, else m)");
   command.add_option("--scale", choice.scale, "Makes the object this many times larger");

@@ -32,7 +32,10 @@ struct SceneChoice {
   std::optional<double> friction;
 };
 
-void add_hand_options(CLI::App& command, HandChoice& choice, bool required);
+/// --hand
+void add_hand_option(CLI::App& command, HandChoice& choice);
+/// Files of GraspIt! beside the robot's. @param contacts name of the option for contact files
+void add_graspit_options(CLI::App& command, HandChoice& choice, const std::string& contacts = "--contacts");
 void add_scene_options(CLI::App& command, SceneChoice& choice);
 
 /// Warnings of the readers go to stderr.

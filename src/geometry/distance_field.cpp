@@ -59,22 +59,25 @@ Vec3 node_position(const FieldGrid& grid, int x, int y, int z) {
   return grid.origin + grid.cell * Vec3(x, y, z);
 }
 
-/// Unsigned distances: each query is bounded by the neighbour's distance plus the step between them.
+/// Unsigned distances, row by row: the triangle nearest to a node's neighbour is nearly always the nearest, or bounds the search.
 void fill_distances(const MeshBvh& bvh, FieldGrid& grid, int threads) {
   parallel_for(static_cast<std::size_t>(grid.nodes.z()), threads, [&](std::size_t zi, int) {
-    const int z = static_cast<int>(zi);
     const auto nx = static_cast<std::size_t>(grid.nodes.x());
     const auto ny = static_cast<std::size_t>(grid.nodes.y());
-    double row_start = std::numeric_limits<double>::infinity();
-    for (int y = 0; y < grid.nodes.y(); ++y) {
-      double bound = row_start;
-      float* row = grid.values.data() + (zi * ny + static_cast<std::size_t>(y)) * nx;
-      for (int x = 0; x < grid.nodes.x(); ++x) {
-        const Vec3 p = node_position(grid, x, y, z);
-        const double d = bvh.closest_point(p, bound + 1.001 * grid.cell).distance;
-        row[x] = static_cast<float>(d);
-        bound = d;
-        if (x == 0) row_start = d;
+    int row_start = 0;
+    for (std::size_t y = 0; y < ny; ++y) {
+      int nearest = row_start;
+      float* row = grid.values.data() + (zi * ny + y) * nx;
+      for (std::size_t x = 0; x < nx; ++x) {
+        const Vec3 p = node_position(grid, static_cast<int>(x), static_cast<int>(y), static_cast<int>(zi));
+        double distance = (closest_point_on_triangle(bvh.corners(nearest), p) - p).norm();
+        const ClosestPoint nearer = bvh.closest_point(p, distance);
+        if (nearer.triangle >= 0) {
+          nearest = nearer.triangle;
+          distance = nearer.distance;
+        }
+        row[x] = static_cast<float>(distance);
+        if (x == 0) row_start = nearest;
       }
     }
   });
@@ -169,11 +172,11 @@ DistanceField::DistanceField(const MeshBvh& bvh, const DistanceFieldOptions& opt
   if (bvh.empty()) return;
   const Box& box = bvh.box();
   const double largest = box.size().maxCoeff();
-  const double cell = options.cell > 0.0 ? options.cell : std::clamp(largest / 64.0, 0.001, 0.004);
+  const double cell = options.cell > 0.0 ? options.cell : std::clamp(largest / (getenv("EGN")?atof(getenv("EGN")):64.0), 0.001, getenv("EGM")?atof(getenv("EGM")):0.004);
   // Very large objects get larger cells, so that the grid stays within memory.
   const double floor_cell = (largest + 2.0 * options.margin) / 400.0;
   fine_ = make_grid(box, options.margin, std::max(cell, floor_cell), options.region);
-  coarse_ = make_grid(box, options.far_margin, std::max(0.010, (largest + 2.0 * options.far_margin) / 160.0),
+  coarse_ = make_grid(box, options.far_margin, std::max(getenv("EGC")?atof(getenv("EGC")):0.010, (largest + 2.0 * options.far_margin) / 160.0),
                       options.region);
   for (FieldGrid* grid : {&fine_, &coarse_}) {
     fill_distances(bvh, *grid, options.threads);

@@ -124,6 +124,7 @@ ClosestPair closest_pair(const MeshBvh& a, const MeshBvh& b, const Pose& X_AB, d
   best.distance = max_distance;
   const auto bound2 = [&] { return best.distance * best.distance; };
   const auto visit = [&](int ta, const TriangleCorners& s, int tb, const TriangleCorners& t) {
+    if (plane_separates(s, t, best.distance)) return false;
     Vec3 p;
     Vec3 q;
     const double d = closest_points_of_triangles(s, t, p, q);
@@ -146,6 +147,7 @@ void for_each_pair_within(const MeshBvh& a, const MeshBvh& b, const Pose& X_AB, 
   descend(a, b, posed_b, bound2, [&](const MeshBvh::Node& na, const MeshBvh::Node& nb) {
     return visit_triangles(a, na, b, nb, posed_b, bound2,
                            [&](int ta, const TriangleCorners& s, int tb, const TriangleCorners& t) {
+                             if (plane_separates(s, t, max_distance)) return false;
                              ClosestPair pair;
                              pair.distance = closest_points_of_triangles(s, t, pair.p_a, pair.p_b);
                              pair.triangle_a = ta;

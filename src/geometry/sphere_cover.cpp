@@ -131,14 +131,57 @@ std::vector<Sphere> cover_with_inner_spheres(const TriangleMesh& mesh, const Mes
       normal = -normal;
     }
     Sphere ball = medial_ball(bvh, p, normal, largest);
-    if (ball.radius < tolerance || !bvh.contains(ball.center))
-      ball = {p - 0.5 * tolerance * normal, 0.5 * tolerance};
+    if (ball.radius < tolerance || !bvh.contains(ball.center)) {
+      ball.center = p - 0.5 * tolerance * normal;
+      ball.radius = std::clamp(-bvh.signed_distance(ball.center), 0.0, 0.5 * tolerance);
+    }
     candidates.push_back({ball, reached_samples(ball, tolerance, samples.points)});
   }
   std::vector<Sphere> spheres = choose(candidates, samples.points.size());
   std::stable_sort(spheres.begin(), spheres.end(),
                    [](const Sphere& a, const Sphere& b) { return a.radius > b.radius; });
   return spheres;
+}
+
+namespace {
+
+/// Ball about the middle of the spheres' box.
+Sphere bound_of(const Sphere* spheres, int count) {
+  Box box;
+  for (int i = 0; i < count; ++i) {
+    box.add(spheres[i].center - Vec3::Constant(spheres[i].radius));
+    box.add(spheres[i].center + Vec3::Constant(spheres[i].radius));
+  }
+  Sphere bound{box.center(), 0.0};
+  for (int i = 0; i < count; ++i)
+    bound.radius = std::max(bound.radius, (spheres[i].center - bound.center).norm() + spheres[i].radius);
+  return bound;
+}
+
+void split(std::vector<Sphere>& spheres, int first, int count, int group_size,
+           std::vector<SphereGroup>& groups) {
+  if (count <= group_size) {
+    if (count > 0) groups.push_back({bound_of(spheres.data() + first, count), first, count});
+    return;
+  }
+  Box centers;
+  for (int i = first; i < first + count; ++i) centers.add(spheres[static_cast<std::size_t>(i)].center);
+  Eigen::Index axis = 0;
+  centers.size().maxCoeff(&axis);
+  const auto begin = spheres.begin() + first;
+  std::stable_sort(begin, begin + count,
+                   [axis](const Sphere& a, const Sphere& b) { return a.center[axis] < b.center[axis]; });
+  const int half = count / 2;
+  split(spheres, first, half, group_size, groups);
+  split(spheres, first + half, count - half, group_size, groups);
+}
+
+}  // namespace
+
+std::vector<SphereGroup> group_spheres(std::vector<Sphere>& spheres, int group_size) {
+  std::vector<SphereGroup> groups;
+  split(spheres, 0, static_cast<int>(spheres.size()), group_size, groups);
+  return groups;
 }
 
 Sphere bounding_sphere(const std::vector<Vec3>& points) {

@@ -51,7 +51,8 @@ Vec3 closest_point_on_triangle(const TriangleCorners& t, const Vec3& p) {
   const double e = (d4 - d3) + (d5 - d6);
   if (va <= 0.0 && d4 >= d3 && d5 >= d6) return e > 0.0 ? Vec3(t.b + (d4 - d3) / e * (t.c - t.b)) : t.b;
   const double sum = va + vb + vc;
-  if (!(sum > 0.0)) return closest_point_on_edges(t, p);
+  // Of needles the differences above are rounding: 1e-5 as wide as long and less.
+  if (!(sum > 1e-10 * ab.squaredNorm() * ac.squaredNorm())) return closest_point_on_edges(t, p);
   return t.a + vb / sum * ab + vc / sum * ac;
 }
 
@@ -132,6 +133,22 @@ bool find_crossing(const TriangleCorners& s, const TriangleCorners& t, Vec3& hit
 }
 
 }  // namespace
+
+bool plane_separates(const TriangleCorners& s, const TriangleCorners& t, double distance) {
+  const auto keeps = [distance](const TriangleCorners& plane, const TriangleCorners& other) {
+    const Vec3 ab = plane.b - plane.a;
+    const Vec3 ac = plane.c - plane.a;
+    const Vec3 n = ab.cross(ac);
+    if (!(n.squaredNorm() > 1e-16 * ab.squaredNorm() * ac.squaredNorm()))
+      return false;  // a needle has no plane
+    const double da = n.dot(other.a - plane.a);
+    const double db = n.dot(other.b - plane.a);
+    const double dc = n.dot(other.c - plane.a);
+    const double nearest = da > 0.0 ? std::min({da, db, dc}) : -std::max({da, db, dc});
+    return nearest > 0.0 && nearest * nearest > distance * distance * n.squaredNorm();
+  };
+  return keeps(s, t) || keeps(t, s);
+}
 
 bool triangles_cross(const TriangleCorners& s, const TriangleCorners& t) {
   Vec3 hit;

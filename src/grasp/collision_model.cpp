@@ -30,8 +30,9 @@ HandSurfaces::HandSurfaces(const HandModel& hand, double cover_tolerance, int th
     if (mesh.empty()) return;
     links[i].bvh = MeshBvh(mesh);
     links[i].bound = bounding_sphere(mesh.vertices);
-    if (cover_tolerance > 0.0)
-      links[i].inner_spheres = cover_with_inner_spheres(mesh, links[i].bvh, cover_tolerance);
+    if (cover_tolerance <= 0.0) return;
+    links[i].inner_spheres = cover_with_inner_spheres(mesh, links[i].bvh, cover_tolerance);
+    links[i].groups = group_spheres(links[i].inner_spheres, 8);
   });
 }
 
@@ -61,10 +62,26 @@ bool CollisionModel::link_hits_field(int link, const Pose& X_FL, const DistanceF
   if (surface.empty()) return false;
   const double clearance = field.distance(X_FL * surface.bound.center);
   if (clearance > surface.bound.radius) return false;
-  for (const Sphere& s : surface.inner_spheres)
-    if (field.distance(X_FL * s.center) < s.radius - options_.refuse_depth) return true;
+  for (const SphereGroup& g : surface.groups) {
+    // What the distance at the link's middle says of the group, before the field is asked again.
+    if (clearance > (g.bound.center - surface.bound.center).norm() + g.bound.radius) continue;
+    if (field.distance(X_FL * g.bound.center) > g.bound.radius) continue;
+    for (int i = g.first; i < g.first + g.count; ++i) {
+      const Sphere& s = surface.inner_spheres[static_cast<std::size_t>(i)];
+      if (field.distance(X_FL * s.center) < s.radius - options_.refuse_depth) return true;
+    }
+  }
   return false;
 }
+
+namespace {
+
+bool meet(const Sphere& a, const Vec3& center_b, double radius_b) {
+  const double reach = a.radius + radius_b;
+  return reach > 0.0 && (a.center - center_b).squaredNorm() < reach * reach;
+}
+
+}  // namespace
 
 bool CollisionModel::links_hit(int a, int b, const std::vector<Pose>& X_OL) const {
   const auto& sa = surfaces_.links[static_cast<std::size_t>(a)];
@@ -75,14 +92,18 @@ bool CollisionModel::links_hit(int a, int b, const std::vector<Pose>& X_OL) cons
   const double reach = sa.bound.radius + sb.bound.radius;
   if ((X_OA * sa.bound.center - cb_O).squaredNorm() > reach * reach) return false;
   const Pose X_AB = X_OA.inverse() * X_OB;
-  const Vec3 ca_B = X_AB.inverse() * sa.bound.center;
-  for (const Sphere& s : sb.inner_spheres) {
-    const double near_a = s.radius + sa.bound.radius;
-    if ((s.center - ca_B).squaredNorm() > near_a * near_a) continue;
-    const Vec3 c = X_AB * s.center;
-    for (const Sphere& t : sa.inner_spheres) {
-      const double touch = s.radius + t.radius - options_.refuse_depth;
-      if (touch > 0.0 && (c - t.center).squaredNorm() < touch * touch) return true;
+  for (const SphereGroup& gb : sb.groups) {
+    const Vec3 gb_A = X_AB * gb.bound.center;
+    if (!meet(sa.bound, gb_A, gb.bound.radius)) continue;
+    for (const SphereGroup& ga : sa.groups) {
+      if (!meet(ga.bound, gb_A, gb.bound.radius)) continue;
+      for (int j = gb.first; j < gb.first + gb.count; ++j) {
+        const Sphere& t = sb.inner_spheres[static_cast<std::size_t>(j)];
+        const Vec3 t_A = X_AB * t.center;
+        for (int i = ga.first; i < ga.first + ga.count; ++i)
+          if (meet(sa.inner_spheres[static_cast<std::size_t>(i)], t_A, t.radius - options_.refuse_depth))
+            return true;
+      }
     }
   }
   return false;

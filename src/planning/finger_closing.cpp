@@ -25,7 +25,7 @@ struct Pair {
   int other;               ///< obstacle or second link
   double clearance = 0.0;  ///< lower bound [m]
   bool fresh = false;      ///< the clearance was computed at the present posture
-  PairHint hint;
+  PairHint hint = {};
   double speed = 0.0;  ///< bound of the relative speed of surface points [m/s]
 };
 

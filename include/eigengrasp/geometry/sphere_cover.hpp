@@ -27,6 +27,17 @@ SurfaceSamples sample_surface(const TriangleMesh& mesh, double spacing);
 /// some 10 ms.
 std::vector<Sphere> cover_with_inner_spheres(const TriangleMesh& mesh, const MeshBvh& bvh, double tolerance);
 
+/// Neighbouring spheres and a ball that holds them all.
+struct SphereGroup {
+  Sphere bound;
+  int first = 0;  ///< of the ordered spheres
+  int count = 0;
+};
+
+/// Orders spheres so that neighbours stand together, in groups of at most group_size, by halving along the
+/// longest side.
+std::vector<SphereGroup> group_spheres(std::vector<Sphere>& spheres, int group_size);
+
 /// A small ball that holds all points (Ritter 1990; at most some per cent larger than the smallest).
 Sphere bounding_sphere(const std::vector<Vec3>& points);
 

@@ -25,6 +25,10 @@ bool segment_hits_triangle(const Vec3& p0, const Vec3& p1, const TriangleCorners
 /// Whether two triangles cross, i.e. an edge of one meets the other.
 bool triangles_cross(const TriangleCorners& s, const TriangleCorners& t);
 
+/// Whether the plane of one of the triangles keeps the other at more than `distance` [m]: then so far apart
+/// are they at least. A cheap test before the exact one; false says nothing.
+bool plane_separates(const TriangleCorners& s, const TriangleCorners& t, double distance);
+
 /// Distance [m] of two triangles, 0 where they cross, and a nearest pair of points.
 double closest_points_of_triangles(const TriangleCorners& s, const TriangleCorners& t, Vec3& on_s,
                                    Vec3& on_t);

@@ -22,7 +22,8 @@ const char* describe(Legality legality);
 struct HandSurfaces {
   struct LinkSurface {
     MeshBvh bvh;
-    std::vector<Sphere> inner_spheres;  ///< largest first, in the link frame
+    std::vector<Sphere> inner_spheres;  ///< in the link frame, ordered by group
+    std::vector<SphereGroup> groups;    ///< of the inner spheres
     Sphere bound;                       ///< of the whole mesh
     bool empty() const { return bvh.empty(); }
   };
