@@ -59,7 +59,8 @@ Vec3 node_position(const FieldGrid& grid, int x, int y, int z) {
   return grid.origin + grid.cell * Vec3(x, y, z);
 }
 
-/// Unsigned distances, row by row: the triangle nearest to a node's neighbour is nearly always the nearest, or bounds the search.
+/// Unsigned distances, row by row: the triangle nearest to a node's neighbour is nearly always the nearest,
+/// or bounds the search.
 void fill_distances(const MeshBvh& bvh, FieldGrid& grid, int threads) {
   parallel_for(static_cast<std::size_t>(grid.nodes.z()), threads, [&](std::size_t zi, int) {
     const auto nx = static_cast<std::size_t>(grid.nodes.x());
@@ -172,11 +173,11 @@ DistanceField::DistanceField(const MeshBvh& bvh, const DistanceFieldOptions& opt
   if (bvh.empty()) return;
   const Box& box = bvh.box();
   const double largest = box.size().maxCoeff();
-  const double cell = options.cell > 0.0 ? options.cell : std::clamp(largest / (getenv("EGN")?atof(getenv("EGN")):64.0), 0.001, getenv("EGM")?atof(getenv("EGM")):0.004);
+  const double cell = options.cell > 0.0 ? options.cell : std::clamp(largest / 64.0, 0.001, 0.003);
   // Very large objects get larger cells, so that the grid stays within memory.
   const double floor_cell = (largest + 2.0 * options.margin) / 400.0;
   fine_ = make_grid(box, options.margin, std::max(cell, floor_cell), options.region);
-  coarse_ = make_grid(box, options.far_margin, std::max(getenv("EGC")?atof(getenv("EGC")):0.010, (largest + 2.0 * options.far_margin) / 160.0),
+  coarse_ = make_grid(box, options.far_margin, std::max(0.008, (largest + 2.0 * options.far_margin) / 160.0),
                       options.region);
   for (FieldGrid* grid : {&fine_, &coarse_}) {
     fill_distances(bvh, *grid, options.threads);

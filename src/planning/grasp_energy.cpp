@@ -30,9 +30,12 @@ void GraspEnergy::approach(const std::vector<Pose>& X_OL, DistanceSource source,
     ContactApproach& a = out[i];
     a.p_OC = X * c.p_LC;
     a.n_OC = X.linear() * c.n_LC;
+    const FieldSample s =
+        source == DistanceSource::field ? model_.object_field().sample(a.p_OC) : FieldSample{};
     Vec3 to_object;  // any length
-    if (source == DistanceSource::field) {
-      const FieldSample s = model_.object_field().sample(a.p_OC);
+    // Near the medial axis, where the field's gradient is short, it does not know the direction.
+    constexpr double least_gradient = 0.97;
+    if (s.gradient.squaredNorm() > least_gradient * least_gradient) {
       a.distance = std::abs(s.distance);
       to_object = s.distance > 0.0 ? Vec3(-s.gradient) : s.gradient;
     } else {

@@ -8,8 +8,8 @@ namespace eigengrasp {
 
 /// What a mesh is as a solid.
 struct MeshReport {
-  /// Every edge is walked as often in one direction as in the other (welded), so that the volume integral does
-  /// not depend on its origin. True also where two sheets of a closed surface touch in an edge.
+  /// Every edge is walked as often in one direction as in the other (welded), so that the volume integral
+  /// does not depend on its origin. True also where two sheets of a closed surface touch in an edge.
   bool watertight = false;
   bool consistent_orientation = false;  ///< no two triangles walk an edge in the same direction
   int components = 0;                   ///< connected through shared (welded) vertices
