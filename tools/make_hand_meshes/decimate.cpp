@@ -13,7 +13,9 @@ namespace {
 using Mat4 = Eigen::Matrix4d;
 using Triangle = TriangleMesh::Triangle;
 
-std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
+std::size_t index(std::int32_t i) {
+  return static_cast<std::size_t>(i);
+}
 
 struct Collapse {
   double cost;
@@ -28,7 +30,10 @@ struct Collapse {
 class Decimator {
  public:
   Decimator(const TriangleMesh& mesh, const Solid& solid)
-      : solid_(solid), vertices_(mesh.vertices), triangles_(mesh.triangles), alive_(mesh.triangles.size(), true) {
+      : solid_(solid),
+        vertices_(mesh.vertices),
+        triangles_(mesh.triangles),
+        alive_(mesh.triangles.size(), true) {
     around_.resize(vertices_.size());
     quadrics_.assign(vertices_.size(), Mat4::Zero());
     stamps_.assign(vertices_.size(), 0);

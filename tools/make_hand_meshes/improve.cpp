@@ -10,10 +10,12 @@ namespace {
 
 using Triangle = TriangleMesh::Triangle;
 
-std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
+std::size_t index(std::int32_t i) {
+  return static_cast<std::size_t>(i);
+}
 
-/// Makes the triangles of a closed mesh rounder and lays their edges along the surface, by turns of edges and small
-/// moves of vertices on the surface. Neither changes the number of triangles.
+/// Makes the triangles of a closed mesh rounder and lays their edges along the surface, by turns of edges and
+/// small moves of vertices on the surface. Neither changes the number of triangles.
 class Improver {
  public:
   Improver(TriangleMesh& mesh, const Solid& solid) : solid_(solid), mesh_(mesh) {

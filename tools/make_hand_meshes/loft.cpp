@@ -14,7 +14,8 @@ SectionValues values_of(const LoftSection& s) {
   return {s.lo.x(), s.lo.y(), s.hi.x(), s.hi.y(), s.center.x(), s.center.y(), s.power, s.roll};
 }
 
-/// Slope at the middle of three points that neither overshoots nor rings (harmonic mean, after Fritsch and Butland).
+/// Slope at the middle of three points that neither overshoots nor rings (harmonic mean, after Fritsch and
+/// Butland).
 double monotone_slope(double h0, double d0, double h1, double d1) {
   if (d0 * d1 <= 0) return 0.0;
   const double w0 = 2 * h1 + h0;

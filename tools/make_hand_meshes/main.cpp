@@ -51,7 +51,8 @@ int main(int argc, char** argv) {
   try {
     const fs::path folder = argv[1];
     for (const auto& recipe : eigengrasp::shapes::load_shapes(folder / "shapes.yaml")) {
-      const bool chosen = wanted.empty() || std::find(wanted.begin(), wanted.end(), recipe.name) != wanted.end();
+      const bool chosen =
+          wanted.empty() || std::find(wanted.begin(), wanted.end(), recipe.name) != wanted.end();
       if (chosen) make_mesh(recipe, folder / "meshes");
     }
   } catch (const std::exception& e) {

@@ -93,7 +93,8 @@ class Grid {
 
   std::int32_t edge(std::int64_t a, std::int64_t b) {
     const auto key = std::minmax(a, b);
-    const auto [it, added] = vertex_of_edge_.try_emplace(key, static_cast<std::int32_t>(mesh_.vertices.size()));
+    const auto [it, added] =
+        vertex_of_edge_.try_emplace(key, static_cast<std::int32_t>(mesh_.vertices.size()));
     if (added) {
       const double t = std::clamp(value(a) / (value(a) - value(b)), 0.02, 0.98);
       mesh_.vertices.push_back((1 - t) * point(a) + t * point(b));
@@ -102,7 +103,9 @@ class Grid {
   }
 
   void add_triangle(std::int32_t a, std::int32_t b, std::int32_t c, const Vec3& outwards) {
-    const auto at = [&](std::int32_t i) -> const Vec3& { return mesh_.vertices[static_cast<std::size_t>(i)]; };
+    const auto at = [&](std::int32_t i) -> const Vec3& {
+      return mesh_.vertices[static_cast<std::size_t>(i)];
+    };
     const bool flipped = (at(b) - at(a)).cross(at(c) - at(a)).dot(outwards) < 0;
     mesh_.triangles.push_back(flipped ? TriangleMesh::Triangle{a, c, b} : TriangleMesh::Triangle{a, b, c});
   }
@@ -118,7 +121,9 @@ class Grid {
 
 }  // namespace
 
-TriangleMesh polygonise(const Solid& solid, double cell) { return Grid(solid, cell).surface(); }
+TriangleMesh polygonise(const Solid& solid, double cell) {
+  return Grid(solid, cell).surface();
+}
 
 void require_closed_manifold(const TriangleMesh& mesh, const std::string& name) {
   std::map<std::pair<std::int32_t, std::int32_t>, int> halfedges;

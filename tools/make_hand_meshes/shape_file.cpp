@@ -11,7 +11,9 @@
 namespace eigengrasp::shapes {
 namespace {
 
-double radians(double degrees) { return degrees * std::acos(-1.0) / 180; }
+double radians(double degrees) {
+  return degrees * std::acos(-1.0) / 180;
+}
 
 /// Reads one file; every complaint names the file and the line.
 class Reader {
@@ -38,7 +40,8 @@ class Reader {
 
  private:
   template <typename... Args>
-  [[noreturn]] void complain(const YAML::Node& node, fmt::format_string<Args...> format, Args&&... args) const {
+  [[noreturn]] void complain(const YAML::Node& node, fmt::format_string<Args...> format,
+                             Args&&... args) const {
     fail_at(file_, node.Mark().line + 1, format, std::forward<Args>(args)...);
   }
 
@@ -149,7 +152,8 @@ class Reader {
   }
 
   Solid primitive(const YAML::Node& part) const {
-    allow(part, {"box", "cylinder", "capsule", "ellipsoid", "plate", "loft", "group", "xyz", "rpy_deg", "op", "blend"});
+    allow(part, {"box", "cylinder", "capsule", "ellipsoid", "plate", "loft", "group", "xyz", "rpy_deg", "op",
+                 "blend"});
     if (const YAML::Node n = part["box"]) {
       allow(n, {"size", "round"});
       return make_box(vec3(n, "size"), number(n, "round", 0.0));
@@ -209,6 +213,8 @@ class Reader {
 
 }  // namespace
 
-std::vector<ShapeRecipe> load_shapes(const std::filesystem::path& file) { return Reader(file).read(); }
+std::vector<ShapeRecipe> load_shapes(const std::filesystem::path& file) {
+  return Reader(file).read();
+}
 
 }  // namespace eigengrasp::shapes

@@ -12,8 +12,8 @@ namespace eigengrasp::shapes {
 
 /// One mesh to make.
 struct ShapeRecipe {
-  std::string name;          ///< of the file, without .obj
-  double cell = 0.001;       ///< of the grid [m]
+  std::string name;     ///< of the file, without .obj
+  double cell = 0.001;  ///< of the grid [m]
   std::size_t triangles = 1200;
   Solid solid;
 };
