@@ -101,7 +101,7 @@ TEST_P(ShippedHands, MoveLikeGraspits) {
       const Pose A = X[static_cast<std::size_t>(pair.ours)] * pair.X_LG;
       const Pose B = Y[static_cast<std::size_t>(pair.theirs.link)] * pair.theirs.X_LF;
       link_residual = std::max(link_residual, (A.translation() - B.translation()).norm());
-      EXPECT_LT(angle_between(A.linear(), B.linear()), 2e-3);
+      EXPECT_LT(angle_between(A.linear(), B.linear()), 1e-3);
     }
     for (const LinkPair& tip : tips) {
       const Vec3 a = X[static_cast<std::size_t>(tip.ours)] * tip.X_LG.translation();
