@@ -20,10 +20,9 @@ double contact_radius(double curvature) {
 }  // namespace
 
 std::array<Vec3, 2> contact_tangents(const Vec3& n) {
-  // The axis that is furthest from n: its cross product with n is never shorter than sqrt(2/3).
-  int axis = 0;
-  n.cwiseAbs().minCoeff(&axis);
-  const Vec3 t1 = Vec3::Unit(axis).cross(n).normalized();
+  constexpr double parallel = 1e-3;
+  const Vec3 across = n.cross(Vec3::UnitX());
+  const Vec3 t1 = across.norm() > parallel ? across.normalized() : n.cross(Vec3::UnitZ()).normalized();
   return {t1, n.cross(t1)};
 }
 

@@ -174,31 +174,22 @@ TEST(QualityReference, EpsilonOfItsContactsWithOurEdgesAtItsPhase) {
   std::printf("worst residual %.3g\n", worst);
 }
 
-// Where the edges begin is a free choice, ours is not GraspIt!'s; the whole difference comes from there (the
-// test above). Coarse soft contacts (5 directions at 45 degrees) feel it most, and grasps that close by a
-// hair may fall either side. The true cone bounds both.
+// From the contacts alone, with edges of our own making. They begin where GraspIt!'s do (contact_tangents), which matters:
+// a cone of eight edges turned by half a step moves epsilon by up to 0.012 here. The true cone bounds both.
 TEST(QualityReference, EpsilonOfItsContactsWithOurEdges) {
   const auto file = testing::test_data("reference/grasps.jsonl");
   EIGENGRASP_REQUIRE_DATA(file);
   double worst = 0.0;
-  int beyond = 0;
   for (const ReferenceGrasp& g : reference_grasps(file)) {
     const WrenchSpaceQuality quality = compute_epsilon(g.contacts, g.options);
     WrenchSpaceOptions exact = g.options;
     exact.cone = ConeModel::exact;
-    const double bound = compute_epsilon(g.contacts, exact).epsilon + 1e-5;
-    EXPECT_NEAR(quality.epsilon, g.epsilon, 0.015) << g.name;
-    EXPECT_LE(quality.epsilon, bound) << g.name;
-    EXPECT_LE(g.epsilon, bound) << g.name;
-    const bool alike = quality.form_closure == (g.epsilon >= 1e-6);
-    if (!alike)
-      std::printf("%s: closed one way only, %.6f here, %.6f there, %.6f exact\n", g.name.c_str(),
-                  quality.epsilon, g.epsilon, bound);
+    EXPECT_NEAR(quality.epsilon, g.epsilon, 0.01) << g.name;
+    EXPECT_LE(quality.epsilon, compute_epsilon(g.contacts, exact).epsilon + 1e-5) << g.name;
+    EXPECT_EQ(quality.form_closure, g.epsilon >= 1e-6) << g.name;
     worst = std::max(worst, std::abs(quality.epsilon - g.epsilon));
-    beyond += std::abs(quality.epsilon - g.epsilon) > 0.01;
   }
-  EXPECT_LE(beyond, 2);
-  std::printf("worst residual %.3g, %d beyond 0.01\n", worst, beyond);
+  std::printf("worst residual %.3g\n", worst);
 }
 
 // Its volume is that of a hull joggled by much more than ours; 0 where that failed, tiny where the set is

@@ -22,7 +22,9 @@ struct ContactPoint {
   double torsion_length = 0.0;  ///< e [m], >= 0
 };
 
-/// Two unit vectors that make a right-handed orthonormal frame (t1, t2, n) with a unit normal n.
+/// Two unit vectors that make a right-handed orthonormal frame (t1, t2, n) with a unit normal n: t1 along n x
+/// X, or n x Z where n is as good as parallel to X. GraspIt! begins the edges of its cones there too, so that
+/// polytopes of equal contacts are equal.
 std::array<Vec3, 2> contact_tangents(const Vec3& n);
 
 /// Torsion length e = 8 sqrt(a b) / 15 [m] of a soft finger on its elliptic contact patch with semi-axes a,
