@@ -68,25 +68,33 @@ struct ShowChoice {
   bool eigengrasps = false;
   bool contacts = false;
   int tile = 500;
+  std::string beside;
   std::filesystem::path png;
 };
+
+Image draw_hand(const ShowChoice& choice, const std::shared_ptr<const HandModel>& hand,
+                const PictureOptions& options) {
+  if (choice.eigengrasps) return eigengrasp_picture(hand, std::max(1, hand->eigengrasps.size()), options);
+  if (choice.contacts) return hand_contacts_picture(hand, options);
+  if (choice.beside.empty()) return hand_picture(hand, joint_values(*hand, hand->rest_posture()), options);
+  HandChoice other;
+  other.name = choice.beside;
+  const std::vector<std::shared_ptr<const HandModel>> hands = {hand, load_hand_choice(other)};
+  return hands_side_by_side(hands, {hand->source.string(), hands[1]->source.string()}, options);
+}
 
 void show_hand(const ShowChoice& choice) {
   const auto hand = load_hand_choice(choice.hand);
   print_hand(*hand);
   if (choice.png.empty()) {
-    if (choice.eigengrasps || choice.contacts)
-      fail("--eigengrasps and --contacts draw a picture; say where with --png FILE");
+    if (choice.eigengrasps || choice.contacts || !choice.beside.empty())
+      fail("--eigengrasps, --contacts and --beside draw a picture; say where with --png FILE");
     return;
   }
   if (choice.tile < 16 || choice.tile > 4096) fail("--tile is {}, expected 16 to 4096 pixels", choice.tile);
   PictureOptions options;
   options.tile = choice.tile;
-  const Image image =
-      choice.eigengrasps ? eigengrasp_picture(hand, std::max(1, hand->eigengrasps.size()), options)
-      : choice.contacts  ? hand_contacts_picture(hand, options)
-                         : hand_picture(hand, joint_values(*hand, hand->rest_posture()), options);
-  save_png(image, choice.png);
+  save_png(draw_hand(choice, hand, options), choice.png);
   fmt::print("\nwrote {}\n", choice.png.string());
 }
 
@@ -202,6 +210,8 @@ void add_show(CLI::App& hand) {
   command->add_flag("--eigengrasps", choice->eigengrasps,
                     "Draw each eigengrasp at its smallest and largest amplitude (Table I)");
   command->add_flag("--contacts", choice->contacts, "Draw the virtual contacts with their normals (Fig. 1)");
+  command->add_option("--beside", choice->beside,
+                      "Draw this hand too, such as the GraspIt! robot XML of the same hand");
   command->add_option("--png", choice->png, "Picture to write");
   command->add_option("--tile", choice->tile, "Side of a tile [pixel]");
   command->callback([choice] { show_hand(*choice); });

@@ -54,8 +54,8 @@ class YamlValue {
   }
 
  private:
-  YamlValue(std::shared_ptr<const std::filesystem::path> file, YAML::Node node, std::string name)
-      : file_(std::move(file)), node_(std::move(node)), name_(std::move(name)) {}
+  YamlValue(std::shared_ptr<const std::filesystem::path> file, const YAML::Node& node, std::string name)
+      : file_(std::move(file)), node_(node), name_(std::move(name)) {}
 
   std::shared_ptr<const std::filesystem::path> file_;
   YAML::Node node_;

@@ -28,7 +28,7 @@ int sheet_columns(std::size_t n, const PictureOptions& options) {
   return static_cast<int>(std::ceil(std::sqrt(1.25 * static_cast<double>(n)) - 1e-9));
 }
 
-std::string heading_or(const PictureOptions& options, std::string heading) {
+std::string heading_or(const PictureOptions& options, const std::string& heading) {
   return options.heading.empty() ? heading : options.heading;
 }
 

@@ -24,6 +24,6 @@ std::vector<Image> draw_tiles(const std::vector<TileScene>& scenes, const Pictur
 int sheet_columns(std::size_t n, const PictureOptions& options);
 
 /// The options' heading, else the given one.
-std::string heading_or(const PictureOptions& options, std::string heading);
+std::string heading_or(const PictureOptions& options, const std::string& heading);
 
 }  // namespace eigengrasp
