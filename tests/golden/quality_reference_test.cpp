@@ -174,8 +174,9 @@ TEST(QualityReference, EpsilonOfItsContactsWithOurEdgesAtItsPhase) {
   std::printf("worst residual %.3g\n", worst);
 }
 
-// From the contacts alone, with edges of our own making. They begin where GraspIt!'s do (contact_tangents), which matters:
-// a cone of eight edges turned by half a step moves epsilon by up to 0.012 here. The true cone bounds both.
+// From the contacts alone, with edges of our own making. They begin where GraspIt!'s do (contact_tangents),
+// which matters: a cone of eight edges turned by half a step moves epsilon by up to 0.012 here. The true cone
+// bounds both.
 TEST(QualityReference, EpsilonOfItsContactsWithOurEdges) {
   const auto file = testing::test_data("reference/grasps.jsonl");
   EIGENGRASP_REQUIRE_DATA(file);
