@@ -18,6 +18,9 @@ double depth_below(const MeshBvh& bvh, const Vec3& probe, const Vec3& n, double 
   // The closest point is not straight below the probe: follow the surface's plane there to the vertical.
   const TriangleCorners& t = bvh.corners(q.triangle);
   const Vec3 m = (t.b - t.a).cross(t.c - t.a);
+  const bool beyond_edge =
+      q.distance > 0.02 * radius && std::abs(m.dot(probe - q.point)) < 0.7 * m.norm() * q.distance;
+  if (beyond_edge) return radius;
   const double tilt = m.norm() > 0.0 ? m.dot(n) / m.norm() : 0.0;
   const double straight = tilt > 0.2 ? m.dot(probe - q.point) / (m.norm() * tilt) : n.dot(probe - q.point);
   return std::clamp(straight, -radius, radius);

@@ -44,8 +44,10 @@ FieldGrid make_grid(const Box& surface, double margin, double cell, const Box& r
     box.max = box.max.cwiseMin(region.max).cwiseMax(box.min);
   }
   FieldGrid grid;
-  grid.cell = cell;
   const Vec3 size = box.size();
+  // Very large objects get larger cells, so that the grid stays within memory.
+  cell = std::max(cell, size.maxCoeff() / 200.0);
+  grid.cell = cell;
   grid.nodes = (size / cell).array().ceil().cast<int>() + 1;
   grid.nodes = grid.nodes.cwiseMax(2);
   const Vec3 covered = cell * (grid.nodes.array() - 1).cast<double>().matrix();
@@ -174,11 +176,8 @@ DistanceField::DistanceField(const MeshBvh& bvh, const DistanceFieldOptions& opt
   const Box& box = bvh.box();
   const double largest = box.size().maxCoeff();
   const double cell = options.cell > 0.0 ? options.cell : std::clamp(largest / 64.0, 0.001, 0.003);
-  // Very large objects get larger cells, so that the grid stays within memory.
-  const double floor_cell = (largest + 2.0 * options.margin) / 400.0;
-  fine_ = make_grid(box, options.margin, std::max(cell, floor_cell), options.region);
-  coarse_ = make_grid(box, options.far_margin, std::max(0.008, (largest + 2.0 * options.far_margin) / 160.0),
-                      options.region);
+  fine_ = make_grid(box, options.margin, cell, options.region);
+  coarse_ = make_grid(box, options.far_margin, 0.008, options.region);
   for (FieldGrid* grid : {&fine_, &coarse_}) {
     fill_distances(bvh, *grid, options.threads);
     SignFill(bvh, *grid).run();

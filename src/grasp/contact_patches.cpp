@@ -37,7 +37,8 @@ std::vector<std::vector<TouchPoint>> split_regions(const std::vector<TouchPoint>
   const double min_cosine = std::cos(25.0 * M_PI / 180.0);
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
-      if ((points[i].p - points[j].p).squaredNorm() < link_distance * link_distance &&
+      if (((points[i].p - points[j].p).squaredNorm() < link_distance * link_distance ||
+           (points[i].triangle >= 0 && points[i].triangle == points[j].triangle)) &&
           points[i].n.dot(points[j].n) > min_cosine)
         parent[std::max(root(i), root(j))] = std::min(root(i), root(j));
   std::vector<std::vector<TouchPoint>> regions;
@@ -80,6 +81,21 @@ std::vector<Planar> convex_hull(std::vector<Planar> p) {
   return hull;
 }
 
+/// Rounding leaves points of straight sides in the hull.
+void drop_points_of_sides(std::vector<TouchPoint>& corners) {
+  constexpr double straight = 1e-5;  // [m]
+  for (std::size_t i = 0; i < corners.size() && corners.size() > 2;) {
+    const Vec3& p = corners[i].p;
+    const Vec3& a = corners[(i + corners.size() - 1) % corners.size()].p;
+    const Vec3& b = corners[(i + 1) % corners.size()].p;
+    if ((closest_point_on_triangle({a, b, b}, p) - p).norm() < straight) {
+      corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(i));
+    } else {
+      ++i;
+    }
+  }
+}
+
 std::vector<TouchPoint> perimeter(const std::vector<TouchPoint>& region, double merge) {
   Vec3 n = Vec3::Zero();
   Vec3 center = Vec3::Zero();
@@ -94,9 +110,11 @@ std::vector<TouchPoint> perimeter(const std::vector<TouchPoint>& region, double 
     const Vec3 d = region[i].p - center;
     planar.push_back({d.dot(t1), d.dot(t2), i});
   }
+  std::vector<TouchPoint> hull;
+  for (const Planar& h : convex_hull(planar)) hull.push_back(region[h.index]);
+  drop_points_of_sides(hull);
   std::vector<TouchPoint> corners;
-  for (const Planar& h : convex_hull(planar)) {
-    TouchPoint t = region[h.index];
+  for (TouchPoint t : hull) {
     t.n = n;
     const bool close = std::any_of(corners.begin(), corners.end(), [&](const TouchPoint& c) {
       return (c.p - t.p).squaredNorm() < merge * merge;

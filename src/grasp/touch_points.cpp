@@ -46,16 +46,56 @@ Vec3 contact_normal(const ClosestPair& pair, const TriangleCorners& solid, const
   return wrong ? Vec3(-n) : n;
 }
 
+/// Whether no other point of either surface is clearly nearer: an edge beside the face that really touches is
+/// not where two surfaces touch.
+bool nearest_to_each_other(const MeshBvh& solid, const MeshBvh& link, const Pose& X_LS,
+                           const ClosestPair& pair) {
+  const double clearly = 0.9 * pair.distance;
+  return link.closest_point(X_LS * pair.p_a, clearly).triangle < 0 &&
+         solid.closest_point(pair.p_b, clearly).triangle < 0;
+}
+
+/// All corners of the region in which two nearly parallel faces are within the threshold: corners of one over
+/// the face of the other, and crossings of their edges.
+void add_overlap(const TriangleCorners& s, const TriangleCorners& t, double threshold, const Vec3& n,
+                 int triangle, std::vector<TouchPoint>& points) {
+  const auto add = [&](const Vec3& on_s, const Vec3& on_t) {
+    const double d = (on_s - on_t).norm();
+    if (d <= threshold) points.push_back({on_s, n, d, triangle});
+  };
+  const Vec3 cs[] = {s.a, s.b, s.c};
+  const Vec3 ct[] = {t.a, t.b, t.c};
+  for (const Vec3& p : ct) add(closest_point_on_triangle(s, p), p);
+  for (const Vec3& p : cs) add(p, closest_point_on_triangle(t, p));
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      Vec3 p, q;
+      closest_points_of_segments(cs[i], cs[(i + 1) % 3], ct[j], ct[(j + 1) % 3], p, q);
+      add(p, q);
+    }
+}
+
 }  // namespace
 
 std::vector<TouchPoint> find_touch_points(const MeshBvh& solid, const MeshBvh& link, const Pose& X_SL,
                                           double threshold) {
+  constexpr double parallel = -0.999;  // cosine of the normals
   std::vector<TouchPoint> points;
+  const Pose X_LS = X_SL.inverse();
   for_each_pair_within(solid, link, X_SL, threshold, [&](const ClosestPair& pair) {
+    const TriangleCorners& s = solid.corners(pair.triangle_a);
     const TriangleCorners& local = link.corners(pair.triangle_b);
     const TriangleCorners posed{X_SL * local.a, X_SL * local.b, X_SL * local.c};
-    const Vec3 n = contact_normal(pair, solid.corners(pair.triangle_a), posed);
-    if (n.squaredNorm() > 0.5) points.push_back({pair.p_a, n, pair.distance});
+    const Vec3 n = contact_normal(pair, s, posed);
+    if (n.squaredNorm() < 0.5) return;
+    const Vec3 ns = unit_normal(s);
+    if (ns.dot(unit_normal(posed)) < parallel &&
+        std::abs(ns.dot(pair.p_a - pair.p_b)) > 0.999 * pair.distance) {
+      add_overlap(s, posed, threshold, -ns, pair.triangle_b, points);
+    } else if (on_face(s, pair.p_a) || on_face(posed, pair.p_b) || pair.distance <= 2e-5 ||
+               nearest_to_each_other(solid, link, X_LS, pair)) {
+      points.push_back({pair.p_a, n, pair.distance, pair.triangle_b});
+    }
   });
   return points;
 }

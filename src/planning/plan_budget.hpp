@@ -23,7 +23,10 @@ class PlanBudget {
   bool repeats() const { return options_.iterations == 0; }
   /// Asked before every step. Looks at the clock every 64 steps.
   bool go_on(int worker, const AnnealingChain& chain);
-  bool ended_early() const { return ended_.load(std::memory_order_relaxed) && !repeats(); }
+  bool ended_early() const {
+    return ended_.load(std::memory_order_relaxed) &&
+           (!repeats() || (options_.stop && options_.stop->stop_requested()));
+  }
 
  private:
   static constexpr std::int64_t steps_between_looks = 64;

@@ -25,9 +25,10 @@ std::vector<GraspContact> find_contacts(const CollisionModel& model, const std::
 
 /// One touching pair of points with the direction in which the hand presses.
 struct TouchPoint {
-  Vec3 p;           ///< on the object [m]
-  Vec3 n;           ///< unit, out of the first surface (hand), into the second
-  double distance;  ///< [m]
+  Vec3 p;             ///< on the object [m]
+  Vec3 n;             ///< unit, out of the first surface (hand), into the second
+  double distance;    ///< [m]
+  int triangle = -1;  ///< of the first surface; points of one triangle with one normal belong together
 };
 
 /// Touching points of a posed surface (hand side) and a solid. In the frame of the solid.

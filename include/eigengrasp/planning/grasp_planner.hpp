@@ -45,8 +45,8 @@ struct PlanOptions {
   double epsilon_min = 1e-6;       ///< form closure: epsilon at least this
   double torque_scale = 0.0;       ///< [m]; 0: the object's max_radius
   const StopFlag* stop = nullptr;  ///< asked every few milliseconds; what was found until then is returned
-  std::function<void(const PlanProgress&)>
-      progress;  ///< called from one thread, some times a second; may be empty
+  std::function<void(const PlanProgress&)> progress =
+      {};  ///< called from one thread, some times a second; may be empty
 
   /// All violations as sentences: name, value, bound. Empty: the options are sound.
   std::vector<std::string> validate(const HandModel& hand) const;
@@ -93,7 +93,7 @@ struct SearchMilestone {
 
 struct PlanResult {
   PlanStatus status = PlanStatus::nothing_legal;
-  bool stopped_early = false;  ///< by the stop flag or the time limit
+  bool stopped_early = false;  ///< by the stop flag, or by the time limit before the iterations were done
   std::vector<Grasp> grasps;   ///< form-closed ones first, by falling epsilon; then the rest by rising energy
   StateCounts states;
   CandidateCounts candidates;
