@@ -7,12 +7,27 @@
 #include <set>
 
 #include "eigengrasp/core/error.hpp"
+#include "modeling/loft.hpp"
+#include "modeling/operations.hpp"
+#include "modeling/primitives.hpp"
 
 namespace eigengrasp::shapes {
 namespace {
 
+using modeling::LoftSection;
+using modeling::Solid;
+
 double radians(double degrees) {
   return degrees * std::acos(-1.0) / 180;
+}
+
+/// The body with a part added to it, taken off it, or the two where they overlap.
+Solid joined(const Solid& body, const Solid& part, const std::string& op, double blend) {
+  const bool sharp = blend <= 0;
+  if (op == "add") return sharp ? modeling::unite(body, part) : modeling::smooth_unite(body, part, blend);
+  if (op == "subtract")
+    return sharp ? modeling::subtract(body, part) : modeling::smooth_subtract(body, part, blend);
+  return sharp ? modeling::intersect(body, part) : modeling::smooth_intersect(body, part, blend);
 }
 
 /// Reads one file; every complaint names the file and the line.
@@ -127,18 +142,19 @@ class Reader {
     }
     const std::vector<double> caps = numbers(node, "caps", 2);
     if (caps[0] <= 0 || caps[1] <= 0) complain(node["caps"], "'caps' must be positive");
-    return make_loft(sections, {caps[0], caps[1]});
+    return modeling::loft(sections, {caps[0], caps[1]});
   }
 
   Solid plate(const YAML::Node& node) const {
     allow(node, {"outline", "height", "round"});
-    std::vector<Eigen::Vector2d> outline;
+    modeling::Polyline outline;
     for (const auto& p : node["outline"]) {
       if (!p.IsSequence() || p.size() != 2) complain(p, "a corner needs 2 numbers");
-      outline.emplace_back(number(p[0]), number(p[1]));
+      outline.push_back({number(p[0]), number(p[1])});
     }
     if (outline.size() < 3) complain(node, "'outline' needs three corners or more");
-    return make_plate(outline, required(node, "height"), number(node, "round", 0.0));
+    const double half = 0.5 * required(node, "height");
+    return modeling::extrude(outline, -half, half, number(node, "round", 0.0));
   }
 
   Solid capsule(const YAML::Node& node) const {
@@ -146,9 +162,9 @@ class Reader {
     const Vec3 from = vec3(node, "from");
     const Vec3 to = vec3(node, "to");
     if ((from - to).norm() < 1e-9) complain(node, "'from' and 'to' are the same point");
-    if (!node["radii"]) return make_round_cone(from, required(node, "radius"), to, required(node, "radius"));
+    if (!node["radii"]) return modeling::capsule(from, to, required(node, "radius"));
     const std::vector<double> radii = numbers(node, "radii", 2);
-    return make_round_cone(from, radii[0], to, radii[1]);
+    return modeling::round_cone(from, radii[0], to, radii[1]);
   }
 
   Solid primitive(const YAML::Node& part) const {
@@ -156,15 +172,16 @@ class Reader {
                  "blend"});
     if (const YAML::Node n = part["box"]) {
       allow(n, {"size", "round"});
-      return make_box(vec3(n, "size"), number(n, "round", 0.0));
+      return modeling::rounded_box(Vec3::Zero(), vec3(n, "size"), number(n, "round", 0.0));
     }
     if (const YAML::Node n = part["cylinder"]) {
       allow(n, {"radius", "height", "round"});
-      return make_cylinder(required(n, "radius"), required(n, "height"), number(n, "round", 0.0));
+      const Vec3 top = 0.5 * required(n, "height") * Vec3::UnitZ();
+      return modeling::cylinder(-top, top, required(n, "radius"), number(n, "round", 0.0));
     }
     if (const YAML::Node n = part["ellipsoid"]) {
       allow(n, {"radii"});
-      return make_ellipsoid(vec3(n, "radii"));
+      return modeling::ellipsoid(Vec3::Zero(), vec3(n, "radii"));
     }
     if (part["capsule"]) return capsule(part["capsule"]);
     if (part["plate"]) return plate(part["plate"]);
@@ -178,20 +195,11 @@ class Reader {
     if (!node.IsSequence() || node.size() == 0) complain(node, "expected a list of parts");
     Solid body;
     for (const auto& part : node) {
-      Solid piece = moved(primitive(part), pose(part));
+      const Solid piece = modeling::move(primitive(part), pose(part));
       const auto op = part["op"] ? part["op"].as<std::string>() : std::string("add");
-      const double blend = number(part, "blend", 0.0);
-      if (!body.distance) {
-        body = std::move(piece);
-      } else if (op == "add") {
-        body = united(std::move(body), std::move(piece), blend);
-      } else if (op == "subtract") {
-        body = subtracted(std::move(body), std::move(piece), blend);
-      } else if (op == "intersect") {
-        body = intersected(std::move(body), std::move(piece), blend);
-      } else {
+      if (op != "add" && op != "subtract" && op != "intersect")
         complain(part["op"], "'op' is {}, must be add, subtract or intersect", op);
-      }
+      body = body.distance ? joined(body, piece, op, number(part, "blend", 0.0)) : piece;
     }
     return body;
   }

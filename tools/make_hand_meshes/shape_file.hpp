@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "solid.hpp"
+#include "modeling/solid.hpp"
 
 namespace eigengrasp::shapes {
 
@@ -15,7 +15,7 @@ struct ShapeRecipe {
   std::string name;     ///< of the file, without .obj
   double cell = 0.001;  ///< of the grid [m]
   std::size_t triangles = 1200;
-  Solid solid;
+  modeling::Solid solid;
 };
 
 /// Reads a shapes.yaml (docs/hand-shapes.md), in the order of the file.

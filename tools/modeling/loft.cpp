@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
-#include <array>
+#include "modeling/loft.hpp"
 
-#include "solid.hpp"
+#include <algorithm>
+#include <cmath>
 
-namespace eigengrasp::shapes {
+namespace eigengrasp::modeling {
 namespace {
 
 /// y_lo, z_lo, y_hi, z_hi, y_center, z_center, power, roll
@@ -58,7 +59,8 @@ class Loft {
     const double g = level(p);
     Vec3 slope;
     for (int i = 0; i < 3; ++i) slope[i] = (level(p + step * Vec3::Unit(i)) - g) / step;
-    return g / std::max(slope.norm(), 1.0);
+    // Inside, far from a short cap, the level knows nothing of the end.
+    return std::max({g / std::max(slope.norm(), 1.0), at_.front() - p.x(), p.x() - at_.back()});
   }
 
  private:
@@ -96,7 +98,7 @@ class Loft {
 
 }  // namespace
 
-Solid make_loft(const std::vector<LoftSection>& sections, const std::array<double, 2>& caps) {
+Solid loft(const std::vector<LoftSection>& sections, const std::array<double, 2>& caps) {
   Box box;
   for (const LoftSection& s : sections) {
     // A rolled section stays within the circle through its farthest corner.
@@ -106,7 +108,7 @@ Solid make_loft(const std::vector<LoftSection>& sections, const std::array<doubl
     box.add(Vec3(s.at, lo.x(), lo.y()));
     box.add(Vec3(s.at, hi.x(), hi.y()));
   }
-  return {[loft = Loft(sections, caps)](const Vec3& p) { return loft.distance(p); }, box};
+  return {[body = Loft(sections, caps)](const Vec3& p) { return body.distance(p); }, box};
 }
 
-}  // namespace eigengrasp::shapes
+}  // namespace eigengrasp::modeling
