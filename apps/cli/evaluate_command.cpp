@@ -101,14 +101,28 @@ ordered_json closed_json(const CollisionModel& model, const GraspEnergy& energy,
   return out;
 }
 
+/// The first joint beyond its limits as a sentence's middle; empty where there is none.
+std::string limit_violation(const HandModel& hand, const GivenState& state) {
+  constexpr double rounding = 1e-6;  // [rad or m]
+  for (int j = 0; j < hand.n_joints(); ++j) {
+    const HandJoint& joint = hand.joints[static_cast<std::size_t>(j)];
+    const double value = state.joints[j];
+    if (joint.type != JointType::fixed && (value < joint.min - rounding || value > joint.max + rounding))
+      return fmt::format("has the joint {} at {:.4f}, beyond its limits {:.4f} to {:.4f}", joint.name, value,
+                         joint.min, joint.max);
+  }
+  return {};
+}
+
 ordered_json evaluate(const CollisionModel& model, const GraspEnergy& energy, const GivenState& state,
                       const EvaluateChoice& choice) {
   std::vector<Pose> X_OL;
   compute_link_poses(*model.scene().hand, state.joints, state.X_OH, X_OL);
   const Legality legality = choice.exact ? model.check_exact(X_OL) : model.check_fast(X_OL);
   ordered_json out;
-  out["legal"] = legality == Legality::legal;
-  out["reason"] = describe(legality);
+  const std::string beyond = limit_violation(*model.scene().hand, state);
+  out["legal"] = legality == Legality::legal && beyond.empty();
+  out["reason"] = beyond.empty() ? describe(legality) : beyond;
   std::vector<ContactApproach> approaches;
   energy.approach(X_OL, choice.exact ? DistanceSource::exact : DistanceSource::field, approaches);
   out["contact_energy"] = energy.contact_energy(approaches);
@@ -126,27 +140,30 @@ std::vector<JsonLine> lines_of_grasp_file(const std::filesystem::path& file, con
   for (const json& grasp : document.at("grasps")) {
     const json& pre = grasp.contains("pregrasp") ? grasp["pregrasp"] : grasp;
     lines.push_back({pre, fmt::format("{}: grasp {}", file.string(), ++rank)});
+    if (!pre.is_object()) lines.back().fail_because("is no JSON object, expected a grasp");
   }
   return lines;
 }
 
+std::vector<JsonLine> lines_of(const std::filesystem::path& file) {
+  const json document = parse_json(read_text_file(file));
+  const bool grasp_file = document.is_object() && document.contains("grasps") &&
+                          document.contains("format") && document["format"] == "eigengrasp-grasps";
+  return grasp_file ? lines_of_grasp_file(file, document) : read_json_lines(file);
+}
+
 void run_evaluate(const EvaluateChoice& choice) {
   const Scene scene = load_scene(choice.scene);
+  const PlanOptions plan = understand(choice.planner, *scene.hand);
+  require_sound(plan, *scene.hand);
+  std::vector<GivenState> states;  // all of them before the first is rated: bad input prints nothing
+  for (const JsonLine& line : lines_of(choice.states)) states.push_back(parse_state(*scene.hand, line));
   CollisionModel::Options options;
   options.fast = !choice.exact;
   options.threads = choice.planner.options.threads;
   const CollisionModel model(scene, options);
-  const GraspEnergy energy(model, understand(choice.planner, *scene.hand));
-  const auto rate = [&](const JsonLine& line) {
-    print_line(evaluate(model, energy, parse_state(*scene.hand, line), choice));
-  };
-  const json document = json::parse(read_text_file(choice.states), nullptr, false);
-  if (document.is_object() && document.value("format", "") == "eigengrasp-grasps" &&
-      document.contains("grasps")) {
-    for (const JsonLine& line : lines_of_grasp_file(choice.states, document)) rate(line);
-  } else {
-    for_each_json_line(choice.states, rate);
-  }
+  const GraspEnergy energy(model, plan);
+  for (const GivenState& state : states) print_line(evaluate(model, energy, state, choice));
 }
 
 }  // namespace

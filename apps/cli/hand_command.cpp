@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The eigengrasp authors
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <charconv>
 #include <sstream>
 
@@ -85,16 +86,14 @@ Image draw_hand(const ShowChoice& choice, const std::shared_ptr<const HandModel>
 
 void show_hand(const ShowChoice& choice) {
   const auto hand = load_hand_choice(choice.hand);
-  print_hand(*hand);
-  if (choice.png.empty()) {
-    if (choice.eigengrasps || choice.contacts || !choice.beside.empty())
-      fail("--eigengrasps, --contacts and --beside draw a picture; say where with --png FILE");
-    return;
-  }
+  if (choice.png.empty() && (choice.eigengrasps || choice.contacts || !choice.beside.empty()))
+    fail("--eigengrasps, --contacts and --beside draw a picture; say where with --png FILE");
   if (choice.tile < 16 || choice.tile > 4096) fail("--tile is {}, expected 16 to 4096 pixels", choice.tile);
+  if (choice.png.empty()) return print_hand(*hand);
   PictureOptions options;
   options.tile = choice.tile;
   save_png(draw_hand(choice, hand, options), choice.png);
+  print_hand(*hand);
   fmt::print("\nwrote {}\n", choice.png.string());
 }
 
@@ -114,6 +113,7 @@ int check_given_hand(const HandChoice& choice) {
 struct PcaChoice {
   std::filesystem::path recordings;
   std::string valid_column;
+  std::vector<std::string> skipped = {"id", "fit_error"};  ///< columns that are no joints
   int components = 2;
   bool yaml = false;
 };
@@ -163,7 +163,8 @@ Recordings read_recordings(const PcaChoice& choice) {
   Recordings r;
   std::vector<std::vector<double>> columns;
   for (std::size_t c = 0; c < header.size(); ++c) {
-    if (c == valid) continue;
+    const auto& skipped = choice.skipped;
+    if (c == valid || std::find(skipped.begin(), skipped.end(), header[c]) != skipped.end()) continue;
     std::vector<double> column(rows.size());
     bool numeric = true;
     for (std::size_t i = 0; i < rows.size() && numeric; ++i) numeric = is_number(rows[i][c], column[i]);
@@ -214,6 +215,7 @@ void add_show(CLI::App& hand) {
                       "Draw this hand too, such as the GraspIt! robot XML of the same hand");
   command->add_option("--png", choice->png, "Picture to write");
   command->add_option("--tile", choice->tile, "Side of a tile [pixel]");
+  command->footer("Example:\n  eigengrasp hand show human --eigengrasps --png table1.png");
   command->callback([choice] { show_hand(*choice); });
 }
 
@@ -225,7 +227,9 @@ void add_hand_command(CLI::App& app, int& exit_code) {
   hand->footer(
       "Examples:\n  eigengrasp hand list\n  eigengrasp hand show human --eigengrasps --png table1.png\n"
       "  eigengrasp hand check my-hand\n  eigengrasp hand pca recordings.csv --components 6");
-  hand->add_subcommand("list", "Known hands")->callback([] { list_all_hands(); });
+  CLI::App* list = hand->add_subcommand("list", "Known hands");
+  list->footer("Example:\n  eigengrasp hand list");
+  list->callback([] { list_all_hands(); });
   add_show(*hand);
 
   auto checked = std::make_shared<HandChoice>();
@@ -233,6 +237,7 @@ void add_hand_command(CLI::App& app, int& exit_code) {
       hand->add_subcommand("check", "Say what is wrong with a hand and how to mend it (exit code 1: errors)");
   add_graspit_options(*check, *checked, "--contact-files");
   check->add_option("path", checked->name, "Name, folder, hand.yaml or GraspIt! XML")->required();
+  check->footer("Example:\n  eigengrasp hand check my-hand");
   check->callback([checked, &exit_code] { exit_code = check_given_hand(*checked); });
 
   auto pca = std::make_shared<PcaChoice>();
@@ -243,8 +248,12 @@ void add_hand_command(CLI::App& app, int& exit_code) {
       ->add_option("recordings", pca->recordings, "CSV: a line of joint names, then a posture a line [rad]")
       ->required();
   components->add_option("--components", pca->components, "How many to print");
+  components
+      ->add_option("--skip", pca->skipped, "Columns of numbers that are no joints (default: id,fit_error)")
+      ->delimiter(',');
   components->add_option("--valid-column", pca->valid_column,
                          "Rows with 0 or false in this column are left out");
+  components->footer("Example:\n  eigengrasp hand pca recordings.csv --components 6");
   components->callback([pca] { print_components(*pca); });
 }
 

@@ -51,16 +51,29 @@ double JsonLine::number(const char* name, double otherwise) const {
   return m.get<double>();
 }
 
-void for_each_json_line(const std::filesystem::path& file,
-                        const std::function<void(const JsonLine&)>& visit) {
+json parse_json(const std::string& text) {
+  constexpr int deepest = 64;
+  bool too_deep = false;
+  const auto watch = [&](int depth, json::parse_event_t, json&) {
+    too_deep |= depth > deepest;
+    return depth <= deepest;
+  };
+  json parsed = json::parse(text, watch, false);
+  if (too_deep) return json(json::value_t::discarded);
+  return parsed;
+}
+
+std::vector<JsonLine> read_json_lines(const std::filesystem::path& file) {
+  std::vector<JsonLine> lines;
   std::istringstream text(read_text_file(file));
   std::string line;
   for (int number = 1; std::getline(text, line); ++number) {
     if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
-    JsonLine parsed{json::parse(line, nullptr, false), fmt::format("{}:{}", file.string(), number)};
+    JsonLine parsed{parse_json(line), fmt::format("{}:{}", file.string(), number)};
     if (!parsed.value.is_object()) parsed.fail_because("is no JSON object, expected one object a line");
-    visit(parsed);
+    lines.push_back(std::move(parsed));
   }
+  return lines;
 }
 
 Pose parse_pose(const JsonLine& line, const char* member) {

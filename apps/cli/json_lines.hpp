@@ -3,10 +3,10 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "eigengrasp/core/pose.hpp"
 
@@ -30,9 +30,11 @@ struct JsonLine {
 /// Finite numbers of a JSON array. @param what and where: for the error
 VecX json_numbers(const nlohmann::json& array, int count, const std::string& where, const std::string& what);
 
-/// Calls visit for each line that is not blank, in order. @throws Error with file and line for text that is
-/// no JSON object.
-void for_each_json_line(const std::filesystem::path& file, const std::function<void(const JsonLine&)>& visit);
+/// JSON of a text; discarded where it is none, or nested deeper than any input of ours.
+nlohmann::json parse_json(const std::string& text);
+
+/// The lines that are not blank, in order. @throws Error with file and line for text that is no JSON object.
+std::vector<JsonLine> read_json_lines(const std::filesystem::path& file);
 
 /// A pose as {"position": [m], "orientation": [w, x, y, z]}.
 Pose parse_pose(const JsonLine& line, const char* member);

@@ -3,7 +3,10 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
+#include <exception>
 
 #include "cli/commands.hpp"
 #include "eigengrasp/core/error.hpp"
@@ -14,6 +17,13 @@ namespace {
 /// CLI11's own codes are above 100; ours is 2 for whatever is wrong with the call.
 int report(const CLI::App& app, const CLI::ParseError& e) {
   if (e.get_exit_code() == 0) return app.exit(e);  // --help, --version
+  const CLI::App* command = &app;                  // the innermost that was named
+  while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
+  if (const auto extra = command->remaining(); !extra.empty() && command->get_require_subcommand_min() > 0) {
+    fmt::print(stderr, "eigengrasp: there is no command '{}' (see '{} --help')\n", extra.front(),
+               command == &app ? "eigengrasp" : "eigengrasp " + command->get_name());
+    return eigengrasp::cli::bad_input;
+  }
   fmt::print(stderr, "eigengrasp: {} (see 'eigengrasp --help', or --help after the command)\n", e.what());
   return eigengrasp::cli::bad_input;
 }
@@ -39,13 +49,16 @@ int main(int argc, char** argv) {
   eigengrasp::cli::add_object_command(app);
   try {
     app.parse(argc, argv);
-    return exit_code;
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exit_code;
+    fmt::print(stderr, "eigengrasp: the standard output cannot be written ({})\n", std::strerror(errno));
   } catch (const CLI::ParseError& e) {
     return report(app, e);
   } catch (const eigengrasp::Error& e) {
     fmt::print(stderr, "eigengrasp: {}\n", e.what());
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "eigengrasp: out of memory; is the input very large?\n");
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "eigengrasp: {}\n", e.what());
   }
   return eigengrasp::cli::bad_input;
 }

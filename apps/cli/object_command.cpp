@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "cli/commands.hpp"
+#include "cli/scene_options.hpp"
 #include "eigengrasp/geometry/mass_properties.hpp"
 #include "eigengrasp/geometry/object_checks.hpp"
 #include "eigengrasp/model_io/model_library.hpp"
@@ -18,7 +19,7 @@ struct ObjectChoice {
 };
 
 void print_object(const ObjectChoice& choice) {
-  const ObjectModel object = load_object(find_object(choice.object), choice.options);
+  const ObjectModel object = load_sound_object(find_object(choice.object), choice.options);
   const MeshReport r = inspect_mesh(object.mesh);
   const Vec3 size = 1000.0 * r.box.size();
   fmt::print("{}: {} triangles, {} vertices\n", object.name, object.mesh.triangles.size(),
@@ -45,7 +46,10 @@ void print_object(const ObjectChoice& choice) {
 void add_object_command(CLI::App& app) {
   CLI::App* object = app.add_subcommand("object", "List shipped objects; report on a mesh");
   object->require_subcommand(1);
-  object->add_subcommand("list", "Shipped objects")->callback([] {
+  object->footer("Examples:\n  eigengrasp object list\n  eigengrasp object info part.stl --units mm");
+  CLI::App* list = object->add_subcommand("list", "Shipped objects");
+  list->footer("Example:\n  eigengrasp object list");
+  list->callback([] {
     for (const NamedModel& m : list_objects()) fmt::print("{:12} {}\n", m.name, m.path.string());
   });
   auto choice = std::make_shared<ObjectChoice>();
@@ -54,6 +58,7 @@ void add_object_command(CLI::App& app) {
       ->required();
   info->add_option("--units", choice->options.units, "m, cm, mm, in (GraspIt! files: mm, else m)");
   info->add_option("--scale", choice->options.scale, "Makes the object this many times larger");
+  info->footer("Example:\n  eigengrasp object info part.stl --units mm");
   info->callback([choice] { print_object(*choice); });
 }
 

@@ -73,6 +73,7 @@ void print_summary(const Scene& scene, const PlanResult& result, const PlanChoic
 int run_plan(PlanChoice choice) {
   const Scene scene = load_scene(choice.scene);
   const PlanOptions options = understand(choice.planner, *scene.hand);
+  require_sound(options, *scene.hand);
   if (choice.out.empty())
     choice.out = std::filesystem::path("out") / (scene.object->name + "-" + scene.hand->name);
   require_writable_folder(choice.out);

@@ -25,7 +25,10 @@ void add_planner_options(CLI::App& command, PlannerChoice& choice) {
   command.add_option("--time", choice.time,
                      "Time limit of the search, such as 2s or 500ms; alone: without --iterations' limit");
   command.add_option("--grasps", o.grasps, "Distinct pre-grasps to keep, close and rate");
-  command.add_option("--seed", o.seed, "The same seed gives the same grasps on any number of threads");
+  command.add_option("--seed", o.seed, "The same seed gives the same grasps on any number of threads")
+      ->check([](const std::string& text) {
+        return text.starts_with('-') ? "is " + text + ", expected 0 or more" : std::string();
+      });
   command.add_option("--energy", choice.energy,
                      "What the search minimises: contact (eqs. 6, 7) or wrench (eq. 8)");
   command.add_option("--eigengrasps", choice.amplitudes,
@@ -81,6 +84,11 @@ PlanOptions understand(const PlannerChoice& choice, const HandModel& hand) {
   }
   o.amplitudes = amplitude_count(choice.amplitudes, hand);
   return o;
+}
+
+void require_sound(const PlanOptions& options, const HandModel& hand) {
+  const auto violations = options.validate(hand);
+  if (!violations.empty()) fail("{}", violations.front());
 }
 
 }  // namespace eigengrasp::cli

@@ -27,4 +27,7 @@ void add_planner_options(CLI::App& command, PlannerChoice& choice);
 /// @throws Error for texts that mean nothing.
 PlanOptions understand(const PlannerChoice& choice, const HandModel& hand);
 
+/// @throws Error with the first option that is out of its bounds.
+void require_sound(const PlanOptions& options, const HandModel& hand);
+
 }  // namespace eigengrasp::cli

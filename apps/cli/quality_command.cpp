@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The eigengrasp authors
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "cli/commands.hpp"
 #include "cli/json_lines.hpp"
 #include "cli/plan_options_cli.hpp"
@@ -58,14 +60,28 @@ ordered_json result_json(const WrenchSpaceQuality& quality, double volume) {
           {"volume", quality.form_closure ? volume : 0.0}};
 }
 
-ordered_json rate(const JsonLine& line, WrenchSpaceOptions options, bool scale_given) {
+/// What one line asks for: either contacts or wrenches.
+struct Question {
+  std::vector<ContactPoint> contacts;
+  std::vector<Vec6> wrenches;
+  bool plain_wrenches = false;
+  WrenchSpaceOptions options;
+};
+
+Question parse_question(const JsonLine& line, const WrenchSpaceOptions& given, bool scale_given) {
+  Question q;
+  q.options = given;
   if (line.member("wrenches").is_array()) {
-    const auto wrenches = parse_wrenches(line);
-    return result_json(compute_epsilon(wrenches, options.epsilon_min), compute_hull_volume(wrenches));
+    if (given.norm != WrenchNorm::l1)
+      line.fail_because("has plain wrenches, whose space is their hull; expected contacts with --norm linf");
+    q.wrenches = parse_wrenches(line);
+    q.plain_wrenches = true;
+    return q;
   }
   if (!line.member("contacts").is_array())
     line.fail_because("has neither contacts nor wrenches, expected an array of one of them");
-  std::vector<ContactPoint> contacts;
+  std::vector<ContactPoint>& contacts = q.contacts;
+  WrenchSpaceOptions& options = q.options;
   for (const json& c : line.member("contacts")) {
     if (!c.is_object()) line.fail_because("contacts holds " + c.dump().substr(0, 60) + ", expected objects");
     contacts.push_back(parse_contact({c, fmt::format("{}: contact {}", line.where, contacts.size() + 1)}));
@@ -75,8 +91,15 @@ ordered_json rate(const JsonLine& line, WrenchSpaceOptions options, bool scale_g
       "torque_scale", scale_given ? options.torque_scale : contact_radius(contacts, options.torque_origin_O));
   if (!(options.torque_scale > 0.0))
     line.fail_because(fmt::format("torque_scale is {}, expected more than 0", options.torque_scale));
-  ordered_json out = result_json(compute_epsilon(contacts, options), compute_volume(contacts, options));
-  out["torque_scale"] = options.torque_scale;
+  return q;
+}
+
+ordered_json rate(const Question& q) {
+  if (q.plain_wrenches)
+    return result_json(compute_epsilon(q.wrenches, q.options.epsilon_min), compute_hull_volume(q.wrenches));
+  ordered_json out =
+      result_json(compute_epsilon(q.contacts, q.options), compute_volume(q.contacts, q.options));
+  out["torque_scale"] = q.options.torque_scale;
   return out;
 }
 
@@ -88,11 +111,15 @@ void run_quality(const QualityChoice& choice) {
   options.edges = plan.cone_edges;
   options.epsilon_min = plan.epsilon_min;
   if (options.edges < 3 || options.edges > 1000) fail("--edges is {}, expected 3 to 1000", options.edges);
-  if (plan.torque_scale < 0.0) fail("--torque-scale is {}, expected more than 0", plan.torque_scale);
+  if (!(options.epsilon_min >= 0.0)) fail("--epsilon-min is {}, expected 0 or more", options.epsilon_min);
+  if (!(plan.torque_scale >= 0.0) || !std::isfinite(plan.torque_scale))
+    fail("--torque-scale is {}, expected more than 0", plan.torque_scale);
   if (plan.torque_scale > 0.0) options.torque_scale = plan.torque_scale;
   if (choice.torque_origin.size() == 3) options.torque_origin_O = Vec3(choice.torque_origin.data());
-  for_each_json_line(choice.contacts,
-                     [&](const JsonLine& line) { print_line(rate(line, options, plan.torque_scale > 0.0)); });
+  std::vector<Question> questions;  // all of them before the first is answered: bad input prints nothing
+  for (const JsonLine& line : read_json_lines(choice.contacts))
+    questions.push_back(parse_question(line, options, plan.torque_scale > 0.0));
+  for (const Question& q : questions) print_line(rate(q));
 }
 
 }  // namespace

@@ -69,6 +69,14 @@ ObjectUnits object_units(const SceneChoice& choice) {
   return {!choice.units.empty() ? choice.units : graspit ? "mm" : "m", choice.scale};
 }
 
+ObjectModel load_sound_object(const std::filesystem::path& file, const ObjectReadOptions& options) {
+  ObjectModel object = load_object(file, options);
+  if (inspect_mesh(object.mesh).degenerate_triangles >= static_cast<int>(object.mesh.triangles.size()))
+    fail("{}: none of its {} triangles has an area, expected a surface", file.string(),
+         object.mesh.triangles.size());
+  return object;
+}
+
 namespace {
 
 double number(const std::string& text, const char* option) {
@@ -103,7 +111,7 @@ void load_object_choice(const SceneChoice& choice, Scene& scene) {
   ObjectReadOptions options;
   options.units = choice.units;
   options.scale = choice.scale;
-  scene.object = std::make_shared<ObjectModel>(load_object(find_object(choice.object), options));
+  scene.object = std::make_shared<ObjectModel>(load_sound_object(find_object(choice.object), options));
 }
 
 void set_friction(Scene& scene, double friction) {
@@ -132,7 +140,8 @@ Scene load_scene(const SceneChoice& choice) {
   for (const auto& file : choice.obstacles) {
     ObjectReadOptions options;
     options.units = choice.units;
-    scene.obstacles.push_back({std::make_shared<ObjectModel>(load_object(file, options)), Pose::Identity()});
+    scene.obstacles.push_back(
+        {std::make_shared<ObjectModel>(load_sound_object(file, options)), Pose::Identity()});
   }
   if (!choice.table.empty())
     scene.obstacles.push_back(make_table(choice.table == "auto" ? bounding_box(scene.object->mesh).min.z()

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "eigengrasp/grasp/scene.hpp"
+#include "eigengrasp/model_io/object_io.hpp"
 #include "eigengrasp/report/grasp_file.hpp"
 
 namespace eigengrasp::cli {
@@ -41,6 +42,8 @@ void add_scene_options(CLI::App& command, SceneChoice& choice);
 /// Warnings of the readers go to stderr.
 std::shared_ptr<const HandModel> load_hand_choice(const HandChoice& choice);
 Scene load_scene(const SceneChoice& choice);
+/// @throws Error where the file is bad, or none of its triangles has an area.
+ObjectModel load_sound_object(const std::filesystem::path& file, const ObjectReadOptions& options);
 
 /// For the files that are written.
 ObjectUnits object_units(const SceneChoice& choice);
