@@ -23,6 +23,12 @@ class Plan(EndToEnd):
     def load(self, folder='out'):
         return json.loads((self.folder / folder / 'grasps.json').read_text())
 
+    def plan(self, *args):
+        """A sound run, with or without form-closed grasps."""
+        run = self.run_program('plan', *args)
+        self.assertIn(run.returncode, (0, 1), run.stderr)
+        return run
+
     def assert_files(self, folder, names):
         self.assertEqual(sorted(p.name for p in (self.folder / folder).iterdir()), sorted(names))
 
@@ -100,7 +106,7 @@ class Plan(EndToEnd):
 
     def test_closed_fingers_touch_the_object(self):
         """The joints and the pose of the file, put into the URDF, bring the hand to the contacts."""
-        self.succeed('plan', 'glass', *SMALL, '--grasps', '4', '--out', 'out')
+        self.plan('glass', *SMALL, '--grasps', '4', '--out', 'out')
         urdf = next((support.SOURCE / 'data/hands/barrett-metal').glob('*.urdf'))
         hand = UrdfHand(urdf)
         for grasp in self.load()['grasps']:
@@ -110,7 +116,7 @@ class Plan(EndToEnd):
 
     def test_threads_do_not_change_the_result_but_the_seed_does(self):
         for name, more in (('one', ('--threads', '1')), ('two', ('--threads', '2')), ('other', ('--seed', '2'))):
-            self.succeed('plan', 'glass', *SMALL, '--grasps', '6', *more, '--out', name)
+            self.plan('glass', *SMALL, '--grasps', '6', *more, '--out', name)
         table = {n: (self.folder / n / 'grasps.csv').read_bytes() for n in ('one', 'two', 'other')}
         self.assertEqual(table['one'], table['two'])
         self.assertNotEqual(table['one'], table['other'])
@@ -140,18 +146,17 @@ class Plan(EndToEnd):
         self.assertLess(file['statistics']['states']['evaluated'], 1000000000)
 
     def test_time_limit(self):
-        self.succeed('plan', 'glass', *RUBBER, '--time', '1s', '--grasps', '5', '--no-pictures', '--out', 'out')
+        self.plan('glass', *RUBBER, '--time', '1s', '--grasps', '5', '--no-pictures', '--out', 'out')
         file = self.load()
         self.assertEqual(file['options']['time_limit'], 1.0)
         self.assertGreaterEqual(file['run']['timings']['search'], 0.9)
         self.assertLess(file['run']['timings']['search'], 6.0)
-        run = self.run_program('plan', 'glass', *SMALL, '--grasps', '5', '--time', '10min', '--out', 'both')
-        self.assertEqual(run.returncode, 0, run.stderr)
+        self.plan('glass', *SMALL, '--grasps', '5', '--time', '10min', '--out', 'both')
         self.assertEqual(self.load('both')['statistics']['states']['evaluated'], 4000)
 
     def test_progress_only_on_a_terminal(self):
         command = ['plan', 'glass', *RUBBER, '--iterations', '30000', '--grasps', '2', '--no-pictures', '--out', 'out']
-        piped = self.succeed(*command)
+        piped = self.plan(*command[1:])
         self.assertEqual(piped.stderr, '')
         self.assertNotIn('\x1b', piped.stdout)
         self.assertNotIn('\r', piped.stdout)
@@ -169,7 +174,7 @@ class Plan(EndToEnd):
         self.assertTrue(drawn.endswith(b'\r\x1b[K'), drawn[-40:])
 
     def test_default_folder(self):
-        self.succeed('plan', 'phone', *RUBBER, '--iterations', '1000', '--grasps', '2', '--no-pictures', code=0)
+        self.plan('phone', *RUBBER, '--iterations', '1000', '--grasps', '2', '--no-pictures')
         self.assert_files('out/phone-barrett-rubber', ['grasps.csv', 'grasps.json'])
 
     def test_table_and_obstacle(self):
@@ -225,7 +230,7 @@ class Plan(EndToEnd):
         self.assertEqual(self.load()['object']['units'], 'mm')
 
     def test_pictures(self):
-        self.succeed('plan', 'glass', *RUBBER, '--iterations', '2000', '--grasps', '2', '--out', 'out')
+        self.plan('glass', *RUBBER, '--iterations', '2000', '--grasps', '2', '--out', 'out')
         self.assert_files('out', ['grasps.csv', 'grasps.glb', 'grasps.json', 'grasps.png'])
         png = (self.folder / 'out/grasps.png').read_bytes()
         self.assertEqual(png[:8], b'\x89PNG\r\n\x1a\n')
