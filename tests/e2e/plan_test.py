@@ -181,7 +181,7 @@ class Plan(EndToEnd):
         """No vertex of the hand lies below the table, and with a block above the glass all pre-grasps are legal."""
         lowest = min(v[2] for v in obj_vertices(support.SOURCE / 'data/objects/glass.obj'))
         highest = max(v[2] for v in obj_vertices(support.SOURCE / 'data/objects/glass.obj'))
-        self.file('block.obj', box_obj((0.4, 0.4, 0.1), (0, 0, highest + 0.06)))
+        self.file('block.obj', box_obj((0.05, 0.05, 0.1), (0, 0, highest + 0.09)))
         run = self.run_program('plan', 'glass', *RUBBER, '--iterations', '16000', '--no-pictures', '--table', 'auto',
                                '--obstacle', 'block.obj', '--out', 'out')
         self.assertIn(run.returncode, (0, 1), run.stderr)
@@ -201,7 +201,7 @@ class Plan(EndToEnd):
                                              '--table', 'auto', '--obstacle', 'block.obj'))
         self.assertTrue(all(r['legal'] for r in rated), rated)
         # A hand pushed into the block is refused, with the reason.
-        state = {'hand_pose': {'position': [0.0, 0.0, highest + 0.06], 'orientation': [1, 0, 0, 0]}, 'dofs': [0] * 4}
+        state = {'hand_pose': {'position': [0.0, 0.0, highest + 0.09], 'orientation': [1, 0, 0, 0]}, 'dofs': [0] * 4}
         self.file('inside.jsonl', json.dumps(state))
         rated = self.json_lines(self.succeed('evaluate', 'inside.jsonl', '--object', 'glass', *RUBBER, '--exact',
                                              '--obstacle', 'block.obj'))
