@@ -126,6 +126,8 @@ void set_friction(Scene& scene, double friction) {
 Scene load_scene(const SceneChoice& choice) {
   Scene scene;
   if (!choice.world.empty()) {
+    if (!choice.object.empty())
+      fail("both an object ({}) and a --world are given; give one of them", choice.object);
     load_world(choice, scene);
   } else {
     load_object_choice(choice, scene);

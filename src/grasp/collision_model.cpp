@@ -57,6 +57,36 @@ CollisionModel::CollisionModel(Scene scene, const Options& options)
   }
 }
 
+namespace {
+
+bool spheres_apart(const Sphere& a, const Sphere& b, const Pose& X_AB) {
+  const double reach = a.radius + b.radius;
+  return (a.center - X_AB * b.center).squaredNorm() > reach * reach;
+}
+
+bool box_apart(const Box& box, const Sphere& s) {
+  const Vec3 outside = (box.min - s.center).cwiseMax(s.center - box.max).cwiseMax(Vec3::Zero());
+  return outside.squaredNorm() > s.radius * s.radius;
+}
+
+Sphere moved(const Sphere& s, const Pose& X) {
+  return {X * s.center, s.radius};
+}
+
+/// A surface that crosses no other is inside it where any of its points is.
+CollisionModel::ObjectOverlap overlap(const MeshBvh& solid, const HandSurfaces::LinkSurface& link,
+                                      const Pose& X_SL) {
+  CollisionModel::ObjectOverlap result;
+  if (link.empty() || box_apart(solid.box(), moved(link.bound, X_SL))) return result;
+  result.crosses = intersects(solid, link.bvh, X_SL);
+  if (!result.crosses)
+    result.contained = solid.contains(X_SL * link.bvh.corners(0).a) ||
+                       link.bvh.contains(X_SL.inverse() * solid.corners(0).a);
+  return result;
+}
+
+}  // namespace
+
 bool CollisionModel::link_hits_field(int link, const Pose& X_FL, const DistanceField& field) const {
   const auto& surface = surfaces_.links[static_cast<std::size_t>(link)];
   if (surface.empty()) return false;
@@ -72,6 +102,16 @@ bool CollisionModel::link_hits_field(int link, const Pose& X_FL, const DistanceF
     }
   }
   return false;
+}
+
+// Only the part of an obstacle near the object has a field; beyond it the meshes are asked.
+bool CollisionModel::link_hits_obstacle(std::size_t obstacle, int link, const Pose& X_BL) const {
+  const auto& surface = surfaces_.links[static_cast<std::size_t>(link)];
+  const DistanceField& field = obstacle_fields_[obstacle];
+  if (surface.empty() || field.coarse().contains(X_BL * surface.bound.center))
+    return link_hits_field(link, X_BL, field);
+  const ObjectOverlap o = overlap(scene_.obstacles[obstacle].model->bvh, surface, X_BL);
+  return o.crosses || o.contained;
 }
 
 namespace {
@@ -116,43 +156,12 @@ Legality CollisionModel::check_fast(const std::vector<Pose>& X_OL) const {
   for (std::size_t k = 0; k < obstacle_fields_.size(); ++k) {
     const Pose X_BO = scene_.obstacles[k].X_OB.inverse();
     for (int i = 0; i < n; ++i)
-      if (link_hits_field(i, X_BO * X_OL[static_cast<std::size_t>(i)], obstacle_fields_[k]))
-        return Legality::hits_obstacle;
+      if (link_hits_obstacle(k, i, X_BO * X_OL[static_cast<std::size_t>(i)])) return Legality::hits_obstacle;
   }
   for (const auto& [a, b] : scene_.hand->collision_pairs)
     if (links_hit(a, b, X_OL)) return Legality::hits_itself;
   return Legality::legal;
 }
-
-namespace {
-
-bool spheres_apart(const Sphere& a, const Sphere& b, const Pose& X_AB) {
-  const double reach = a.radius + b.radius;
-  return (a.center - X_AB * b.center).squaredNorm() > reach * reach;
-}
-
-bool box_apart(const Box& box, const Sphere& s) {
-  const Vec3 outside = (box.min - s.center).cwiseMax(s.center - box.max).cwiseMax(Vec3::Zero());
-  return outside.squaredNorm() > s.radius * s.radius;
-}
-
-Sphere moved(const Sphere& s, const Pose& X) {
-  return {X * s.center, s.radius};
-}
-
-/// A surface that crosses no other is inside it where any of its points is.
-CollisionModel::ObjectOverlap overlap(const MeshBvh& solid, const HandSurfaces::LinkSurface& link,
-                                      const Pose& X_SL) {
-  CollisionModel::ObjectOverlap result;
-  if (link.empty() || box_apart(solid.box(), moved(link.bound, X_SL))) return result;
-  result.crosses = intersects(solid, link.bvh, X_SL);
-  if (!result.crosses)
-    result.contained = solid.contains(X_SL * link.bvh.corners(0).a) ||
-                       link.bvh.contains(X_SL.inverse() * solid.corners(0).a);
-  return result;
-}
-
-}  // namespace
 
 CollisionModel::ObjectOverlap CollisionModel::overlap_with_object(int link, const Pose& X_OL) const {
   return overlap(scene_.object->bvh, surfaces_.links[static_cast<std::size_t>(link)], X_OL);

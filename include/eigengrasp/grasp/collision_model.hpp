@@ -84,6 +84,7 @@ class CollisionModel {
 
  private:
   bool link_hits_field(int link, const Pose& X_OL, const DistanceField& field) const;
+  bool link_hits_obstacle(std::size_t obstacle, int link, const Pose& X_BL) const;
   bool links_hit(int a, int b, const std::vector<Pose>& X_OL) const;
 
   Scene scene_;
