@@ -34,7 +34,7 @@ struct Distinctness {
 /// The best distinct pre-grasps seen, by rising energy. Of two that are not distinct the better stays.
 class PreGraspList {
  public:
-  PreGraspList(std::size_t capacity, Distinctness distinctness)
+  PreGraspList(std::size_t capacity, const Distinctness& distinctness)
       : capacity_(capacity), distinct_(distinctness) {}
 
   /// Whether an energy is low enough to enter; cheap, ask before building a candidate.
