@@ -13,8 +13,8 @@ namespace eigengrasp {
 YamlValue YamlValue::load(const std::filesystem::path& file) {
   const std::string content = read_text_file(file);
   try {
-    YAML::Node node = YAML::Load(content);
-    return YamlValue(std::make_shared<const std::filesystem::path>(file), std::move(node), "the file");
+    const YAML::Node node = YAML::Load(content);
+    return YamlValue(std::make_shared<const std::filesystem::path>(file), node, "the file");
   } catch (const YAML::Exception& e) {
     fail_at(file, e.mark.line + 1, "is not well-formed YAML ({})", e.msg);
   }

@@ -125,6 +125,7 @@ double compute_volume(std::span<const ContactPoint> contacts, const WrenchSpaceO
     for (const ContactPoint& c : contacts) append_edge_wrenches(c, options, wrenches);
     return compute_hull_volume(wrenches);
   }
+  if (contacts.size() > most_linf_volume_contacts) return 0.0;
   std::vector<Vec6> sum(1, Vec6::Zero());
   for (const ContactPoint& c : contacts) {
     wrenches.clear();

@@ -70,7 +70,9 @@ bool has_form_closure(std::span<const ContactPoint> contacts, const WrenchSpaceO
 double compute_hull_volume(std::span<const Vec6> wrenches);
 
 /// Volume of the wrench space of the contacts, from the edges of their cones whatever options.cone says;
-/// linf: of the Minkowski sum, whose cost grows steeply: seconds from 4 contacts on.
+/// linf: of the Minkowski sum, whose corners grow steeply with the contacts: 0, i.e. not computed, for more
+/// than most_linf_volume_contacts.
+inline constexpr std::size_t most_linf_volume_contacts = 3;
 double compute_volume(std::span<const ContactPoint> contacts, const WrenchSpaceOptions& options);
 
 }  // namespace eigengrasp
