@@ -82,7 +82,7 @@ float linear_to_srgb(float component) {
   return component <= 0.0031308F ? 12.92F * component : 1.055F * std::pow(component, 1.0F / 2.4F) - 0.055F;
 }
 
-Image::Image(int width_, int height_, const Color& color) : width(width_), height(height_) {
+Image::Image(int w, int h, const Color& color) : width(w), height(h) {
   const std::array<float, 4> pixel_value = {color.a * srgb_to_linear(color.r),
                                             color.a * srgb_to_linear(color.g),
                                             color.a * srgb_to_linear(color.b), color.a};
