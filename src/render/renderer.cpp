@@ -272,8 +272,9 @@ void Renderer::shade_pixel(int x, int y, Image& image) {
   for (int i = 0; i < kLanes; ++i) {
     const auto lane = static_cast<std::size_t>(i);
     samples.rays.origins[lane] = eye;
+    const int row = i / kGrid;
     const float dx = (static_cast<float>(i % kGrid) + 0.5F) / kGrid;
-    const float dy = (static_cast<float>(i / kGrid) + 0.5F) / kGrid;
+    const float dy = (static_cast<float>(row) + 0.5F) / kGrid;
     samples.rays.directions[lane] = direction(static_cast<float>(x) + dx, static_cast<float>(y) + dy);
   }
   scene_.trace_solids(samples.rays, samples.hits);
