@@ -24,16 +24,16 @@ namespace {
 constexpr double kBallRadius = 0.003;  // of a contact [m]
 constexpr double kCreaseAngle = 40.0 * std::numbers::pi / 180.0;
 
-enum Look : unsigned { kHand, kObject, kObstacle, kContact, kLooks };
+enum Look : unsigned { hand_look, object_look, obstacle_look, contact_look, look_count };
 
 struct LookColor {
   const char* name;
   float r, g, b;  // linear
 };
-constexpr LookColor kColors[kLooks] = {{"hand", 0.70F, 0.60F, 0.45F},
-                                       {"object", 0.11F, 0.27F, 0.57F},
-                                       {"obstacle", 0.60F, 0.60F, 0.58F},
-                                       {"contact", 0.67F, 0.01F, 0.01F}};
+constexpr LookColor kColors[look_count] = {{"hand", 0.70F, 0.60F, 0.45F},
+                                           {"object", 0.11F, 0.27F, 0.57F},
+                                           {"obstacle", 0.60F, 0.60F, 0.58F},
+                                           {"contact", 0.67F, 0.01F, 0.01F}};
 
 aiMaterial* make_material(const LookColor& look) {
   auto* material = new aiMaterial;
@@ -95,9 +95,9 @@ TriangleMesh ball(double radius) {
   for (int level = 0; level < 2; ++level) {
     TriangleMesh finer;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      const Vec3 a = mesh.corner(t, 0);
-      const Vec3 b = mesh.corner(t, 1);
-      const Vec3 c = mesh.corner(t, 2);
+      const Vec3& a = mesh.corner(t, 0);
+      const Vec3& b = mesh.corner(t, 1);
+      const Vec3& c = mesh.corner(t, 2);
       const auto i = static_cast<std::int32_t>(finer.vertices.size());
       for (const Vec3& p : {a, b, c, Vec3(a + b), Vec3(b + c), Vec3(c + a)})
         finer.vertices.push_back(p.normalized());
@@ -131,9 +131,9 @@ class GlbScene {
   }
   std::unique_ptr<aiScene> finish() {
     auto scene = std::make_unique<aiScene>();
-    scene->mMaterials = new aiMaterial*[kLooks];
-    scene->mNumMaterials = kLooks;
-    for (unsigned i = 0; i < kLooks; ++i) scene->mMaterials[i] = make_material(kColors[i]);
+    scene->mMaterials = new aiMaterial*[look_count];
+    scene->mNumMaterials = look_count;
+    for (unsigned i = 0; i < look_count; ++i) scene->mMaterials[i] = make_material(kColors[i]);
     scene->mNumMeshes = static_cast<unsigned>(meshes_.size());
     scene->mMeshes = new aiMesh*[meshes_.size()];
     std::copy(meshes_.begin(), meshes_.end(), scene->mMeshes);
@@ -170,12 +170,12 @@ std::string grasp_glb(const Scene& scene, const Grasp& grasp, GraspPhase phase) 
   compute_link_poses(hand, joints, closed ? grasp.X_OH : grasp.X_OH_pregrasp, X_OL);
   GlbScene glb;
   for (std::size_t i = 0; i < hand.links.size(); ++i)
-    glb.add(hand.links[i].mesh, "link:" + hand.links[i].name, X_OL[i], kHand);
-  glb.add(scene.object->mesh, "object:" + scene.object->name, Pose::Identity(), kObject);
+    glb.add(hand.links[i].mesh, "link:" + hand.links[i].name, X_OL[i], hand_look);
+  glb.add(scene.object->mesh, "object:" + scene.object->name, Pose::Identity(), object_look);
   for (const Obstacle& obstacle : scene.obstacles)
-    glb.add(obstacle.model->mesh, "obstacle:" + obstacle.model->name, obstacle.X_OB, kObstacle);
+    glb.add(obstacle.model->mesh, "obstacle:" + obstacle.model->name, obstacle.X_OB, obstacle_look);
   if (closed && !grasp.contacts.empty()) {
-    const int marker = glb.add_mesh(ball(kBallRadius), "contact", kContact);
+    const int marker = glb.add_mesh(ball(kBallRadius), "contact", contact_look);
     int number = 0;
     for (const GraspContact& contact : grasp.contacts)
       glb.add_node(fmt::format("contact:{}", ++number),
