@@ -31,6 +31,9 @@ void add_planner_options(CLI::App& command, PlannerChoice& choice) {
       });
   command.add_option("--energy", choice.energy,
                      "What the search minimises: contact (eqs. 6, 7) or wrench (eq. 8)");
+  command.add_option(
+      "--search", choice.search,
+      "staged: many short chains, candidates closed on the way; paper: one plain annealing chain");
   command.add_option("--eigengrasps", choice.amplitudes,
                      "Amplitudes to search over: a number, or 'all' degrees of freedom");
   command.add_option("--alpha", o.alpha,
@@ -71,6 +74,11 @@ PlanOptions understand(const PlannerChoice& choice, const HandModel& hand) {
     o.energy = EnergyKind::wrench;
   } else if (choice.energy != "contact") {
     fail("--energy is '{}', expected contact or wrench", choice.energy);
+  }
+  if (choice.search == "paper") {
+    o.search = SearchKind::paper;
+  } else if (choice.search != "staged") {
+    fail("--search is '{}', expected staged or paper", choice.search);
   }
   if (choice.norm == "linf") {
     o.norm = WrenchNorm::linf;

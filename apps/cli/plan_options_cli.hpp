@@ -13,6 +13,7 @@ namespace eigengrasp::cli {
 struct PlannerChoice {
   PlanOptions options;
   std::string energy = "contact";
+  std::string search = "staged";
   std::string norm = "l1";
   std::string time;        ///< such as 2s, 500ms, 1.5
   std::string amplitudes;  ///< a number or "all"

@@ -30,7 +30,8 @@ std::vector<AnnealingChain> make_chains(const CollisionModel& model, const Grasp
   const PreGraspList list(spare_factor * static_cast<std::size_t>(options.grasps),
                           distinctness(*model.scene().hand));
   std::vector<AnnealingChain> chains;
-  for (int c = 0; c < options.chains; ++c)
+  const int n_chains = options.search == SearchKind::paper ? 1 : options.chains;
+  for (int c = 0; c < n_chains; ++c)
     chains.emplace_back(model, energy, space, AnnealingSchedule{}, list,
                         RandomStream{options.seed, static_cast<std::uint64_t>(c)}, c);
   return chains;

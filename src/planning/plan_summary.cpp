@@ -7,15 +7,16 @@
 namespace eigengrasp {
 
 std::string planner_name(const PlanOptions& options) {
-  return options.energy == EnergyKind::wrench ? "annealing/wrench" : "annealing/contact";
+  return fmt::format("{}/{}", options.search == SearchKind::paper ? "annealing" : "staged",
+                     options.energy == EnergyKind::wrench ? "wrench" : "contact");
 }
 
 std::string options_digest(const PlanOptions& options) {
-  const std::string text =
-      fmt::format("{} {} {} {} {} {} {} {} {} {} {} {}", options.iterations, options.time_limit,
-                  options.grasps, options.chains, options.amplitudes, static_cast<int>(options.energy),
-                  options.alpha, static_cast<int>(options.norm), static_cast<int>(options.cone),
-                  options.cone_edges, options.epsilon_min, options.torque_scale);
+  const std::string text = fmt::format(
+      "{} {} {} {} {} {} {} {} {} {} {} {} {}", options.iterations, options.time_limit, options.grasps,
+      options.chains, options.amplitudes, static_cast<int>(options.energy), static_cast<int>(options.search),
+      options.alpha, static_cast<int>(options.norm), static_cast<int>(options.cone), options.cone_edges,
+      options.epsilon_min, options.torque_scale);
   std::uint64_t hash = 0xcbf29ce484222325ULL;  // FNV-1a
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
   return fmt::format("{:016x}", hash);

@@ -10,7 +10,7 @@
 
 namespace eigengrasp {
 
-/// Such as "annealing/contact".
+/// Such as "annealing/contact" (--search paper) or "staged/contact".
 std::string planner_name(const PlanOptions& options);
 
 /// 16 hexadecimal digits of all options that change the result.

@@ -145,7 +145,7 @@ TEST(PlanGrasps, TheWrenchEnergyPlansToo) {
   const PlanResult result = plan_grasps(block_scene(), options);
   EXPECT_GT(result.candidates.tested, 0) << result.explanation;
   ASSERT_FALSE(result.grasps.empty());
-  EXPECT_EQ(result.grasps[0].provenance.planner, "annealing/wrench");
+  EXPECT_EQ(result.grasps[0].provenance.planner, "staged/wrench");
 }
 
 TEST(PlanGrasps, AvoidsTheTable) {

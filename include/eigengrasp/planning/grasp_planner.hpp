@@ -20,6 +20,14 @@ enum class EnergyKind {
   wrench,   ///< eq. (8): epsilon of the wrench space of the virtual contacts, each scaled by 1 - delta
 };
 
+/// How the search spends its budget of states.
+enum class SearchKind {
+  paper,   ///< section III-A as it stands: one chain of annealing, the best distinct states are closed at the
+           ///< end
+  staged,  ///< many short chains side by side; what they find is closed while the search goes on (as in
+           ///< section IV-D), and pre-grasps that close are preferred
+};
+
 struct PlanProgress {
   std::int64_t iterations = 0;        ///< done so far, all chains together
   std::int64_t iterations_total = 0;  ///< 0 where only a time limit was given
@@ -37,6 +45,7 @@ struct PlanOptions {
   int chains = 4;      ///< independent annealing chains that share the iterations; 1: the paper's search
   int amplitudes = 2;  ///< eigengrasps that are searched; hand.n_dof(): all degrees of freedom
   EnergyKind energy = EnergyKind::contact;
+  SearchKind search = SearchKind::staged;
   double alpha =
       0.050;  ///< length [m] that weighs as much as a contact normal that is 90 degrees off, eq. (6)
   WrenchNorm norm = WrenchNorm::l1;
