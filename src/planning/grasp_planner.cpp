@@ -100,6 +100,10 @@ void test_all(const CollisionModel& model, const GraspEnergy& energy, const std:
     if (a.form_closure != b.form_closure) return a.form_closure;
     return a.form_closure ? a.epsilon > b.epsilon : a.energy < b.energy;
   });
+  parallel_for(result.grasps.size(), options.threads, [&](std::size_t i, int) {
+    if (options.stop && options.stop->stop_requested()) return;
+    add_volume(energy, result.grasps[i]);
+  });
 }
 
 void require_sound(const PlanOptions& options, const Scene& scene) {
