@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
 // What becomes of a pre-grasp, step by step: the shipped human hand and the shipped glass, and the best
-// pre-grasps of a short search with a fixed seed. The time is that of one candidate; the means contacts, closed,
-// epsilon and legal tell whether the results are still the same.
+// pre-grasps of a short search with a fixed seed. The time is that of one candidate; the means contacts,
+// closed, epsilon and legal tell whether the results are still the same.
 #include <benchmark/benchmark.h>
 
 #include <functional>
