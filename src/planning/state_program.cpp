@@ -192,7 +192,15 @@ void StateProgram::add_cores(const std::vector<Sphere>& balls_B, kernel::Part& p
     kernel::CoreBall core;
     put(best->center, core.center);
     core.radius = static_cast<float>(best->radius);
+    core.reach = 0.0f;
     cores_.push_back(core);
+  }
+  for (const Sphere& s : balls_B) {
+    std::size_t nearest = 0;
+    for (std::size_t k = 1; k < chosen.size(); ++k)
+      if ((chosen[k]->center - s.center).norm() < (chosen[nearest]->center - s.center).norm()) nearest = k;
+    float& reach = cores_[static_cast<std::size_t>(part.first_core) + nearest].reach;
+    reach = std::max(reach, static_cast<float>((chosen[nearest]->center - s.center).norm() + s.radius));
   }
   part.n_cores = static_cast<int>(chosen.size());
 }

@@ -69,9 +69,11 @@ struct Part {
   FieldView field;
 };
 
+/// One of the large inner balls of a part. Together their reaches hold the whole part.
 struct CoreBall {
   float center[3];
   float radius;
+  float reach;  ///< inner balls that are nearer to this core than to the others lie within this of its centre
 };
 
 struct Pair {
