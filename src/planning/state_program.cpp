@@ -255,8 +255,8 @@ void StateProgram::add_posture_grid(const EigengraspSpace& postures, const kerne
       const int node = static_cast<int>(node_of(lane));
       const int place[2] = {node % grid.nodes[0], node / grid.nodes[0]};
       for (int i = 0; i < postures.size(); ++i)
-        KernelWorkspace::put(work.amplitudes + i * kernel::n_lanes, lane,
-                             postures[i].min + place[i] * step[i]);
+        work.amplitudes[i * kernel::n_lanes + lane] =
+            static_cast<float>(postures[i].min + place[i] * step[i]);
     }
     functions.clear_itself(program_, work);
     for (int lane = 0; lane < kernel::n_lanes; ++lane) posture_clearance_[node_of(lane)] = work.energy[lane];
