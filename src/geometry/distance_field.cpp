@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "eigengrasp/core/parallel.hpp"
+#include "geometry/grid_distances.hpp"
 
 namespace eigengrasp {
 
@@ -59,31 +59,6 @@ FieldGrid make_grid(const Box& surface, double margin, double cell, const Box& r
 
 Vec3 node_position(const FieldGrid& grid, int x, int y, int z) {
   return grid.origin + grid.cell * Vec3(x, y, z);
-}
-
-/// Unsigned distances, row by row: the triangle nearest to a node's neighbour is nearly always the nearest,
-/// or bounds the search.
-void fill_distances(const MeshBvh& bvh, FieldGrid& grid, int threads) {
-  parallel_for(static_cast<std::size_t>(grid.nodes.z()), threads, [&](std::size_t zi, int) {
-    const auto nx = static_cast<std::size_t>(grid.nodes.x());
-    const auto ny = static_cast<std::size_t>(grid.nodes.y());
-    int row_start = 0;
-    for (std::size_t y = 0; y < ny; ++y) {
-      int nearest = row_start;
-      float* row = grid.values.data() + (zi * ny + y) * nx;
-      for (std::size_t x = 0; x < nx; ++x) {
-        const Vec3 p = node_position(grid, static_cast<int>(x), static_cast<int>(y), static_cast<int>(zi));
-        double distance = (closest_point_on_triangle(bvh.corners(nearest), p) - p).norm();
-        const ClosestPoint nearer = bvh.closest_point(p, distance);
-        if (nearer.triangle >= 0) {
-          nearest = nearer.triangle;
-          distance = nearer.distance;
-        }
-        row[x] = static_cast<float>(distance);
-        if (x == 0) row_start = nearest;
-      }
-    }
-  });
 }
 
 /// Gives the nodes inside a negative sign. Neighbours whose distances sum to more than the step between them
@@ -179,7 +154,7 @@ DistanceField::DistanceField(const MeshBvh& bvh, const DistanceFieldOptions& opt
   fine_ = make_grid(box, options.margin, cell, options.region);
   coarse_ = make_grid(box, options.far_margin, 0.008, options.region);
   for (FieldGrid* grid : {&fine_, &coarse_}) {
-    fill_distances(bvh, *grid, options.threads);
+    fill_unsigned_distances(bvh, *grid, options.threads);
     SignFill(bvh, *grid).run();
   }
 }

@@ -148,8 +148,8 @@ class SphereChoice {
     return curvature * largest_ > 1.0 ? 1.0 / curvature : largest_;
   }
 
-  /// In an edge or corner: the ball moved away from both faces, where it is larger, as far as it still reaches
-  /// p.
+  /// In an edge or corner: the ball moved away from both faces, where it is larger, as far as it still
+  /// reaches p.
   Sphere sunk(const MedialBall& medial, const Vec3& p) const {
     const Sphere& ball = medial.ball;
     const Vec3 away = 2.0 * ball.center - p - medial.other;
@@ -298,8 +298,8 @@ class GapSearch {
     return (p - s.center).squaredNorm() <= reach * reach;
   }
   static double size_about(const TriangleCorners& t, const Vec3& center) {
-    return std::sqrt(std::max({(t.a - center).squaredNorm(), (t.b - center).squaredNorm(),
-                               (t.c - center).squaredNorm()}));
+    return std::sqrt(
+        std::max({(t.a - center).squaredNorm(), (t.b - center).squaredNorm(), (t.c - center).squaredNorm()}));
   }
 
   bool is_hidden(const TriangleCorners& t, const Vec3& normal) const {
