@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
-// Blocks of nodes are halved three times, from 8^3 to 2^3 nodes; each keeps the parts of the hierarchy that may
-// hold the triangle nearest to one of its nodes, and the smallest blocks measure those triangles from all their
-// nodes at once, in single precision. The nearest one is then measured in double precision.
+// Blocks of nodes are halved three times, from 8^3 to 2^3 nodes; each keeps the parts of the hierarchy that
+// may hold the triangle nearest to one of its nodes, and the smallest blocks measure those triangles from all
+// their nodes at once, in single precision. The nearest one is then measured in double precision.
 #include "geometry/grid_distances.hpp"
 
 #include <algorithm>
@@ -83,7 +83,8 @@ struct Leaves {
     for (std::size_t n = 0; n < ranges.size(); ++n) {
       const MeshBvh::Node& node = bvh.nodes()[n];
       ranges[n].first = static_cast<int>(corners.size());
-      for (int i = node.left; i < node.left + node.count; ++i) add(bvh.corners(bvh.triangle_at(i)), ranges[n]);
+      for (int i = node.left; i < node.left + node.count; ++i)
+        add(bvh.corners(bvh.triangle_at(i)), ranges[n]);
     }
   }
 
@@ -128,11 +129,11 @@ Floats segment_distance2(const Floats3& d, const Vec3f& e, float per_e2) {
 Floats triangle_distance2(const TriangleShape& s, const Floats3& from_a) {
   const Floats3 from_b = from_a.plus(-s.ab);
   const Floats3 from_c = from_a.plus(s.ca);
-  const Floats edges = smaller(smaller(segment_distance2(from_a, s.ab, s.per_ab2),
-                                       segment_distance2(from_b, s.bc, s.per_bc2)),
-                               segment_distance2(from_c, s.ca, s.per_ca2));
-  const Floats inside = smaller(smaller(from_a.dot(s.in_ab), from_b.dot(s.in_bc)),
-                                smaller(from_c.dot(s.in_ca), Floats{}));
+  const Floats edges =
+      smaller(smaller(segment_distance2(from_a, s.ab, s.per_ab2), segment_distance2(from_b, s.bc, s.per_bc2)),
+              segment_distance2(from_c, s.ca, s.per_ca2));
+  const Floats inside =
+      smaller(smaller(from_a.dot(s.in_ab), from_b.dot(s.in_bc)), smaller(from_c.dot(s.in_ca), Floats{}));
   const Floats height = from_a.dot(s.normal);
   return smaller(edges, height * height - much * inside + s.no_face);
 }
@@ -205,8 +206,8 @@ class NearnessTest {
     slack_ = radius * radius / (2.0 * (distance_ - radius));
   }
 
-  // At y from the centre, the point q is at most distance + direction . y + slack away, and a convex body whose
-  // point nearest to the centre is d away in direction n is at least d + n . y away.
+  // At y from the centre, the point q is at most distance + direction . y + slack away, and a convex body
+  // whose point nearest to the centre is d away in direction n is at least d + n . y away.
   bool may_hold(const Box& box) const {
     const Vec3 v = center_ - center_.cwiseMax(box.min).cwiseMin(box.max);
     const double d2 = v.squaredNorm();
@@ -253,8 +254,7 @@ class BlockFill {
     if (size == 2) {
       measure_block(first, center, end, guess);
     } else {
-      for (int k = 0; k < 8; ++k)
-        fill(first + size / 2 * corner_place(k), size / 2, end, guess);
+      for (int k = 0; k < 8; ++k) fill(first + size / 2 * corner_place(k), size / 2, end, guess);
     }
     parts_.resize(end);
   }
