@@ -62,6 +62,7 @@ PlanResult plan_grasps(const Scene& scene, const PlanOptions& options) {
   // What the hand can hit, and how good a pre-grasp is.
   CollisionModel::Options collision;
   collision.threads = options.threads;
+  collision.cache = options.cache;
   const CollisionModel model(scene, collision);
   const GraspEnergy energy(model, options);
   const SearchSpace space(scene, options.amplitudes);
