@@ -146,13 +146,13 @@ void add_bench_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("bench", "Measure how fast the planner is on this machine");
   command
       ->add_option("--hand", choice->hands,
-                   "Hands as of 'plan' (default: all shipped); with --graspit: barrett, "
-                   "dlr, robonaut, human")
+                   "Hands as of 'plan' (default: all shipped); with --graspit: barrett, dlr, robonaut, "
+                   "human")
       ->delimiter(',');
   command
       ->add_option("--object", choice->objects,
-                   "Objects as of 'plan' (default: glass); with --graspit: ashtray, "
-                   "shoe, glass, flask, phone, plane")
+                   "Objects as of 'plan' (default: glass); with --graspit: ashtray, shoe, glass, flask, "
+                   "phone, plane")
       ->delimiter(',');
   command->add_option("--graspit", choice->graspit,
                       "Folder of GraspIt!'s models: its hands and objects instead of the shipped ones");
@@ -168,10 +168,8 @@ void add_bench_command(CLI::App& app, int& exit_code) {
       "Writes a page with the figures beside GraspIt!'s, such as docs/results/performance.md");
   command->footer(
       "Measures on one thread and on all: states of the search, candidates, their steps, preparation, "
-      "memory.\n"
-      "Examples:\n"
-      "  eigengrasp bench --hand human --object glass --seconds 5\n"
-      "  eigengrasp bench --graspit ~/graspit/models --markdown docs/results/performance.md");
+      "memory.\nExamples:\n  eigengrasp bench --hand human --object glass --seconds 5\n  eigengrasp bench "
+      "--graspit ~/graspit/models --markdown docs/results/performance.md");
   command->callback([command, choice, &exit_code] { exit_code = run_bench(*command, *choice); });
 }
 

@@ -130,8 +130,8 @@ std::string performance_text(const ScenePerformance& s) {
                         thousands(by.candidates_per_second), by.run, by.prepare);
   return text +
          fmt::format(
-             "  a candidate: close {:.0f} us, contacts {:.0f} us, closure {:.1f} us, epsilon {:.1f} us; peak "
-             "memory {:.0f} MB\n",
+             "  a candidate: close {:.0f} us, contacts {:.0f} us, closure {:.1f} us, epsilon {:.1f} us; "
+             "peak memory {:.0f} MB\n",
              1e6 * s.steps.close, 1e6 * s.steps.contacts, 1e6 * s.steps.closure, 1e6 * s.steps.epsilon,
              1e-6 * static_cast<double>(s.peak_memory));
 }
@@ -143,22 +143,17 @@ std::string performance_markdown(const PerformanceReport& report) {
   add_other_rows(report, rows);
   return fmt::format(
              "# Performance\n\nMade by `{}` (do not edit). eigengrasp {}; {}. Search: {}, {} states a "
-             "run.\n\n"
-             "## Targets\n\n\"GraspIt!\" is GraspIt! itself, its qt5 branch with its own models, one core of "
-             "a two-core Xeon "
-             "virtual machine with AVX-512; of a range (states 0.15-0.56 ms, candidates 30-110 ms, runs "
-             "15-58 s) the ratio takes "
-             "the figure named, or the lower end. Ours is on one thread where nothing else is said.\n\n{}\n",
+             "run.\n\n## Targets\n\n\"GraspIt!\" is GraspIt! itself, its qt5 branch with its own models, "
+             "one core of a two-core Xeon virtual machine with AVX-512; of a range (states 0.15-0.56 ms, "
+             "candidates 30-110 ms, runs 15-58 s) the ratio takes the figure named, or the lower end. Ours "
+             "is on one thread where nothing else is said.\n\n{}\n",
              report.record.command, report.record.version, describe(report.record.machine),
              report.options.search == SearchKind::paper ? "the paper's" : "staged", report.options.iterations,
              markdown_table({"what", "GraspIt!", "target", "ours", "GraspIt! / ours", ""}, rows)) +
-         "## All figures\n\nStates/s: states that the planner's search drew, tested and rated over its time; "
-         "medians over the "
-         "seeds. Candidates: the pre-grasps of seed 1; steps are means over them, medians over repetitions, "
-         "on one thread; "
-         "candidates/s: closing, contacts and epsilon. A run: search, closing, rating and exact check. "
-         "Memory: peak of the "
-         "process.\n\n" +
+         "## All figures\n\nStates/s: states that the planner's search drew, tested and rated over its "
+         "time; medians over the seeds. Candidates: the pre-grasps of seed 1; steps are means over them, "
+         "medians over repetitions, on one thread; candidates/s: closing, contacts and epsilon. A run: "
+         "search, closing, rating and exact check. Memory: peak of the process.\n\n" +
          scenes_table(report);
 }
 

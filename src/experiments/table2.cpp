@@ -51,9 +51,9 @@ class Table2Runner {
     const Scene scene = models_.scene(hand, object, part.friction);
     for (int seed = 1; seed <= options_.seeds && !stopped(); ++seed) {
       if (options_.progress)
-        options_.progress(static_cast<double>(done_) / static_cast<double>(total_),
-                          fmt::format("{}, {}: {} on {}, seed {}", title_of(part.search),
-                                      title_of(part.friction), name_of(hand), name_of(object), seed));
+        options_.progress(
+            static_cast<double>(done_) / static_cast<double>(total_),
+            fmt::format("{}: {} on {}, seed {}", title_of(part), name_of(hand), name_of(object), seed));
       PlanResult result = plan_grasps(scene, plan_options(options_, part.search, seed));
       Table2Run run{static_cast<std::uint64_t>(seed), result.candidates, result.timings, {}, {}};
       if (!result.grasps.empty()) run.best = std::move(result.grasps.front());
@@ -87,8 +87,8 @@ bool is_whole(const Table2& table) {
 
 Table2Target mean_target(const Table2Part& part, double goal) {
   const double measured = part.mean_form_closed();
-  return {fmt::format("{}, {}: mean at least {:g}", title_of(part.friction), title_of(part.search), goal),
-          fmt::format("{:.1f}", measured), measured >= goal};
+  return {fmt::format("{}: mean at least {:g}", title_of(part), goal), fmt::format("{:.1f}", measured),
+          measured >= goal};
 }
 
 Table2Target no_cell_below(const Table2Part& part, double (*reference)(PaperHand, PaperObject),
@@ -98,8 +98,8 @@ Table2Target no_cell_below(const Table2Part& part, double (*reference)(PaperHand
     if (mean(cell.form_closed()) < reference(cell.hand, cell.object))
       below += fmt::format("{}{} on {} {:.1f} < {:.1f}", below.empty() ? "" : "; ", name_of(cell.hand),
                            name_of(cell.object), mean(cell.form_closed()), reference(cell.hand, cell.object));
-  return {fmt::format("{}, {}: no cell below {}", title_of(part.friction), title_of(part.search), whose),
-          below.empty() ? "none" : below, below.empty()};
+  return {fmt::format("{}: no cell below {}", title_of(part), whose), below.empty() ? "none" : below,
+          below.empty()};
 }
 
 }  // namespace

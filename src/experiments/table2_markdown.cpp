@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The eigengrasp authors
 #include <fmt/format.h>
 
+#include <cctype>
+
 #include "eigengrasp/experiments/reference_figures.hpp"
 #include "eigengrasp/experiments/statistics.hpp"
 #include "eigengrasp/experiments/table2_report.hpp"
@@ -15,10 +17,19 @@ const char* title_of(SearchKind search) {
 }
 
 const char* title_of(FrictionCase friction) {
-  return friction == FrictionCase::one ? "mu = 1" : "the models' materials";
+  return friction == FrictionCase::one ? "mu = 1" : "materials of the models";
+}
+
+std::string title_of(const Table2Part& part) {
+  return fmt::format("{}, {}", title_of(part.search), title_of(part.friction));
 }
 
 namespace {
+
+std::string capitalised(std::string text) {
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  return text;
+}
 
 using Reference = double (*)(PaperHand, PaperObject);
 
@@ -72,8 +83,8 @@ std::string part_text(const Table2& table, const Table2Part& part) {
     rows.push_back(reference_row(table, hand, paper_form_closed, "paper"));
     if (materials) rows.push_back(reference_row(table, hand, graspit_form_closed, "GraspIt!"));
   }
-  std::string text = fmt::format("## {}, {}\n\n{}\n", title_of(part.friction), title_of(part.search),
-                                 markdown_table(headings, rows));
+  std::string text =
+      fmt::format("## {}\n\n{}\n", capitalised(title_of(part)), markdown_table(headings, rows));
   text += fmt::format("Mean over the {} cells: **{:.1f}**; paper {:.1f}", part.cells.size(),
                       part.mean_form_closed(), mean_of_reference(table, paper_form_closed));
   if (materials) text += fmt::format("; GraspIt! {:.1f}", mean_of_reference(table, graspit_form_closed));
@@ -90,12 +101,11 @@ std::string time_row_number(const Table2Part& part, double PlanTimings::*time) {
 std::string time_text(const Table2& table) {
   std::vector<std::vector<std::string>> rows;
   for (const Table2Part& part : table.parts)
-    rows.push_back({fmt::format("{}, {}", title_of(part.search), title_of(part.friction)),
-                    time_row_number(part, &PlanTimings::prepare), time_row_number(part, &PlanTimings::search),
-                    time_row_number(part, &PlanTimings::close), time_row_number(part, &PlanTimings::total)});
+    rows.push_back({title_of(part), time_row_number(part, &PlanTimings::prepare),
+                    time_row_number(part, &PlanTimings::search), time_row_number(part, &PlanTimings::close),
+                    time_row_number(part, &PlanTimings::total)});
   return "## Time of a run\n\nMedian over all runs [s]. The paper: 162 s (2.13 GHz Core 2); GraspIt! on a "
-         "two-core Xeon "
-         "virtual machine: 13-58 s.\n\n" +
+         "two-core Xeon virtual machine: 13-58 s.\n\n" +
          markdown_table({"runs", "prepare", "search", "close and rate", "total"}, rows) + "\n";
 }
 
@@ -110,29 +120,25 @@ std::string target_text(const Table2& table) {
 
 std::string introduction(const Table2& table, const ExperimentRecord& record) {
   const Table2Options& o = table.options;
-  std::string seeds = "1";
-  if (o.seeds > 1) seeds += fmt::format(" to {}", o.seeds);
+  const std::string counts =
+      o.seeds > 1 ? fmt::format("mean ± standard deviation over the seeds 1 to {}", o.seeds) : "of seed 1";
   std::string text = fmt::format(
       "# Table II of the paper\n\nMade by `{}` (do not edit). Form-closed grasps (epsilon >= 1e-6, 8-edge "
-      "cones, L1) "
-      "among the best {} distinct pre-grasps of {} states, closed and rated: mean ± standard deviation over "
-      "the seeds "
-      "{}. Fewer than {} tested pre-grasps are named (\"of\").\n\n",
-      record.command, o.grasps, o.iterations, seeds, o.grasps);
+      "cones, L1) among the best {} distinct pre-grasps of {} states, closed and rated: {}. Where fewer "
+      "than {} pre-grasps were tested, \"of\" says how many.\n\n",
+      record.command, o.grasps, o.iterations, counts, o.grasps);
   text += o.models.shipped()
               ? "Hands and objects: those of this program (`barrett-metal`, `dlr`, `robonaut`, `human`), "
-                "which are "
-                "like the paper's in kinematics and size, not in shape; the figures beside ours are of the "
-                "paper's.\n\n"
+                "which are like the paper's in kinematics and size, not in shape; the figures beside ours "
+                "are of the paper's.\n\n"
               : "Hands and objects: GraspIt!'s own, with which the paper was made (Barrett, DLR, Robonaut "
-                "with 13 "
-                "degrees of freedom, human with 20; ashtray, shoe_1741, glass, flask, phone, p51).\n\n";
+                "with 13 degrees of freedom, human with 20; ashtray, shoe_1741, glass, flask, phone, "
+                "p51).\n\n";
   text +=
       "\"paper\" is the paper's Table II; it does not say which friction it used. \"GraspIt!\" is GraspIt! "
-      "itself with "
-      "its own models and materials, 40,000 steps, hulls corrected, mostly 5 seeds. \"The paper's search\" "
-      "is one chain "
-      "of simulated annealing (`--search paper`), \"our search\" the default (`--search staged`).\n\n";
+      "itself with its own models and materials, 40,000 steps, hulls corrected, mostly 5 seeds. \"The "
+      "paper's search\" is one chain of simulated annealing (`--search paper`), \"our search\" the default "
+      "(`--search staged`).\n\n";
   return text + fmt::format("eigengrasp {}; {}.\n\n", record.version, describe(record.machine));
 }
 

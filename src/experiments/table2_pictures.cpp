@@ -97,12 +97,11 @@ std::vector<ResultPicture> figure2(const Table2& table, int threads) {
     grid.titles.push_back(fmt::format("state {}", m.iteration));
     grid.captions.push_back(fmt::format("energy {:.1f}", m.energy));
   }
-  return {
-      {"table2/figure2.png",
-       fmt::format(
-           "Fig. 2: the best state so far of the paper's search, {} hand, {}, seed 1, the models' materials",
-           name_of(hand), name_of(object)),
-       draw_grid(grid)}};
+  return {{"table2/figure2.png",
+           fmt::format("Fig. 2: the best state so far of the paper's search, {} hand, {}, seed 1, materials "
+                       "of the models",
+                       name_of(hand), name_of(object)),
+           draw_grid(grid)}};
 }
 
 /// Pre-grasp and grasp from the same place.
@@ -141,12 +140,11 @@ ResultPicture figures3and4(const Table2& table, const Table2Part& part, PaperHan
     grid.captions[i] = fmt::format("energy {:.1f}", grasp->energy);
     grid.captions[n + i] = rating(*grasp);
   }
-  return {
-      fmt::format("table2/grasps-{}.png", name_of(hand)),
-      fmt::format(
-          "Figs. 3 and 4, {} hand: pre-grasp and grasp of the largest epsilon on each object; {}, {}, seed 1",
-          name_of(hand), title_of(part.search), title_of(part.friction)),
-      draw_grid(grid)};
+  return {fmt::format("table2/grasps-{}.png", name_of(hand)),
+          fmt::format(
+              "Figs. 3 and 4, {} hand: pre-grasp and grasp of the largest epsilon on each object; {}, seed 1",
+              name_of(hand), title_of(part)),
+          draw_grid(grid)};
 }
 
 }  // namespace

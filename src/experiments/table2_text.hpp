@@ -8,7 +8,9 @@ namespace eigengrasp {
 
 /// "the paper's search", "our search".
 const char* title_of(SearchKind search);
-/// "the models' materials", "mu = 1".
+/// "materials of the models", "mu = 1".
 const char* title_of(FrictionCase friction);
+/// "the paper's search, mu = 1".
+std::string title_of(const Table2Part& part);
 
 }  // namespace eigengrasp
