@@ -60,11 +60,11 @@ std::vector<BenchScene> graspit_scenes(const BenchChoice& choice) {
   for (const std::string& name : choice.hands) hands.push_back(parse_paper_hand(name));
   if (hands.empty()) hands.assign(kPaperHands.begin(), kPaperHands.end());
   for (const std::string& name : choice.objects) objects.push_back(parse_paper_object(name));
-  const PaperModels models(source, hands, objects, warn);
+  const PaperScenes all(source, hands, objects, warn);
   std::vector<BenchScene> scenes;
   for (const PaperHand hand : hands)
     for (const PaperObject object : objects)
-      scenes.push_back({models.scene(hand, object, FrictionCase::materials), hand});
+      scenes.push_back({all.scene(hand, object, FrictionCase::materials), hand});
   return scenes;
 }
 
@@ -168,8 +168,10 @@ void add_bench_command(CLI::App& app, int& exit_code) {
       "Writes a page with the figures beside GraspIt!'s, such as docs/results/performance.md");
   command->footer(
       "Measures on one thread and on all: states of the search, candidates, their steps, preparation, "
-      "memory.\nExamples:\n  eigengrasp bench --hand human --object glass --seconds 5\n  eigengrasp bench "
-      "--graspit ~/graspit/models --markdown docs/results/performance.md");
+      "memory.\n"
+      "Examples:\n"
+      "  eigengrasp bench --hand human --object glass --seconds 5\n"
+      "  eigengrasp bench --graspit ~/graspit/models --markdown docs/results/performance.md");
   command->callback([command, choice, &exit_code] { exit_code = run_bench(*command, *choice); });
 }
 

@@ -150,9 +150,11 @@ void add_reproduce_command(CLI::App& app, int& exit_code) {
   CLI::App* table2 = reproduce->add_subcommand("table2", "Table II and Figs. 2 to 4: form-closed grasps");
   add_reproduce_options(*table2, *choice);
   table2->footer(
-      "Writes table2.md, table2.json and the folder table2 with pictures.\nExamples:\n  eigengrasp "
-      "reproduce table2 --quick --out trial\n  eigengrasp reproduce table2 --graspit "
-      "~/graspit/models\nExit code: 0, 1 stopped by Ctrl-C (nothing is written), 2 bad input.");
+      "Writes table2.md, table2.json and the folder table2 with pictures.\n"
+      "Examples:\n"
+      "  eigengrasp reproduce table2 --quick --out trial\n"
+      "  eigengrasp reproduce table2 --graspit ~/graspit/models\n"
+      "Exit code: 0, 1 stopped by Ctrl-C (nothing is written), 2 bad input.");
   table2->callback([table2, choice, &exit_code] { exit_code = reproduce_table2(*table2, *choice); });
 }
 

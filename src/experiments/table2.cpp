@@ -29,7 +29,7 @@ PlanOptions plan_options(const Table2Options& options, SearchKind search, int se
 /// Runs the cells and tells how far it is.
 class Table2Runner {
  public:
-  Table2Runner(const Table2Options& options, const PaperModels& models) : options_(options), models_(models) {
+  Table2Runner(const Table2Options& options, const PaperScenes& scenes) : options_(options), scenes_(scenes) {
     total_ = 4 * options.hands.size() * options.objects.size() * static_cast<std::size_t>(options.seeds);
   }
 
@@ -48,7 +48,7 @@ class Table2Runner {
  private:
   Table2Cell cell(const Table2Part& part, PaperHand hand, PaperObject object) {
     Table2Cell cell{hand, object, {}};
-    const Scene scene = models_.scene(hand, object, part.friction);
+    const Scene scene = scenes_.scene(hand, object, part.friction);
     for (int seed = 1; seed <= options_.seeds && !stopped(); ++seed) {
       if (options_.progress)
         options_.progress(
@@ -65,7 +65,7 @@ class Table2Runner {
   }
 
   const Table2Options& options_;
-  const PaperModels& models_;
+  const PaperScenes& scenes_;
   std::size_t done_ = 0;
   std::size_t total_ = 0;
 };
@@ -144,8 +144,8 @@ const Table2Part& Table2::part(SearchKind search, FrictionCase friction) const {
 
 Table2 run_table2(const Table2Options& options) {
   if (const auto violations = options.validate(); !violations.empty()) throw Error(violations.front());
-  Table2 table{options, PaperModels(options.models, options.hands, options.objects, options.log), {}, false};
-  Table2Runner runner(table.options, table.models);
+  Table2 table{options, PaperScenes(options.models, options.hands, options.objects, options.log), {}, false};
+  Table2Runner runner(table.options, table.scenes);
   for (const SearchKind search : {SearchKind::paper, SearchKind::staged})
     for (const FrictionCase friction : {FrictionCase::materials, FrictionCase::one})
       if (!runner.stopped()) table.parts.push_back(runner.part(search, friction));

@@ -84,7 +84,7 @@ std::vector<ResultPicture> figure2(const Table2& table, int threads) {
   const Table2Cell& cell = table.part(SearchKind::paper, FrictionCase::materials).cell(hand, object);
   const auto states = milestones_at(cell.runs.front().milestones, table.options.iterations);
   if (states.empty()) return {};
-  const TilePainter painter(table.models.scene(hand, object, FrictionCase::materials), threads);
+  const TilePainter painter(table.scenes.scene(hand, object, FrictionCase::materials), threads);
   const auto scene_of = [&](const SearchMilestone& m) {
     return painter.add(joint_values(painter.hand(), m.dofs), m.X_OH);
   };
@@ -133,7 +133,7 @@ ResultPicture figures3and4(const Table2& table, const Table2Part& part, PaperHan
     grid.titles[i] = name_of(objects[i]);
     const auto& grasp = part.cell(hand, objects[i]).runs.front().best;
     if (!grasp) continue;
-    const TilePainter painter(table.models.scene(hand, objects[i], part.friction), threads);
+    const TilePainter painter(table.scenes.scene(hand, objects[i], part.friction), threads);
     auto [before, after] = draw_pair(painter, *grasp);
     grid.tiles[i] = std::move(before);
     grid.tiles[n + i] = std::move(after);

@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "eigengrasp/core/error.hpp"
-#include "eigengrasp/experiments/paper_models.hpp"
+#include "eigengrasp/experiments/paper_scenes.hpp"
 #include "eigengrasp/experiments/reference_figures.hpp"
 #include "eigengrasp/experiments/statistics.hpp"
 #include "support/test_data.hpp"
@@ -25,7 +25,7 @@ std::string error_of(const std::function<void()>& call) {
   return "no error";
 }
 
-TEST(PaperModels, NamesAreReadAsTheyAreWritten) {
+TEST(PaperScenes, NamesAreReadAsTheyAreWritten) {
   for (const PaperHand hand : kPaperHands) EXPECT_EQ(parse_paper_hand(name_of(hand)), hand);
   for (const PaperObject object : kPaperObjects) EXPECT_EQ(parse_paper_object(name_of(object)), object);
   const std::string sentence = error_of([] { parse_paper_hand("shadow"); });
@@ -33,7 +33,7 @@ TEST(PaperModels, NamesAreReadAsTheyAreWritten) {
   EXPECT_NE(sentence.find("barrett, dlr, robonaut, human"), std::string::npos) << sentence;
 }
 
-TEST(PaperModels, FoldersWithoutModelsAreRefusedByName) {
+TEST(PaperScenes, FoldersWithoutModelsAreRefusedByName) {
   const fs::path folder = fs::path(::testing::TempDir()) / "eigengrasp-no-models";
   fs::remove_all(folder);
   EXPECT_NE(error_of([&] { find_graspit_models(folder); }).find("is no folder"), std::string::npos);
@@ -44,8 +44,8 @@ TEST(PaperModels, FoldersWithoutModelsAreRefusedByName) {
   fs::remove_all(folder);
 }
 
-TEST(PaperModels, ShippedHandsAndObjectsLoad) {
-  const PaperModels models({}, {PaperHand::barrett, PaperHand::human}, {PaperObject::glass});
+TEST(PaperScenes, ShippedHandsAndObjectsLoad) {
+  const PaperScenes models({}, {PaperHand::barrett, PaperHand::human}, {PaperObject::glass});
   const Scene own = models.scene(PaperHand::barrett, PaperObject::glass, FrictionCase::materials);
   EXPECT_EQ(own.hand->name, "barrett-metal");
   EXPECT_EQ(own.object->name, "glass");
@@ -56,7 +56,7 @@ TEST(PaperModels, ShippedHandsAndObjectsLoad) {
 }
 
 // Counts of virtual contacts and degrees of freedom: as the test data's description gives them.
-TEST(PaperModels, GraspitModelsHaveTheirContacts) {
+TEST(PaperScenes, GraspitModelsHaveTheirContacts) {
   const fs::path folder = testing::test_data("graspit/models");
   EIGENGRASP_REQUIRE_DATA(folder);
   const ModelSource source = find_graspit_models(folder);

@@ -28,7 +28,7 @@ Table2Run make_run(std::uint64_t seed, int closed, int tested) {
 Table2 make_table(const std::array<int, 4>& closed) {
   Table2Options options;
   options.seeds = 2;
-  Table2 table{options, PaperModels({}, {}, {}), {}, false};
+  Table2 table{options, PaperScenes({}, {}, {}), {}, false};
   int i = 0;
   for (const SearchKind search : {SearchKind::paper, SearchKind::staged})
     for (const FrictionCase friction : {FrictionCase::materials, FrictionCase::one}) {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "eigengrasp/experiments/machine.hpp"
-#include "eigengrasp/experiments/paper_models.hpp"
+#include "eigengrasp/experiments/paper_scenes.hpp"
 #include "eigengrasp/planning/grasp_planner.hpp"
 
 namespace eigengrasp {

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The eigengrasp authors
 #pragma once
 
-#include "eigengrasp/experiments/paper_models.hpp"
+#include "eigengrasp/model_io/paper_models.hpp"
 
 namespace eigengrasp {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "eigengrasp/experiments/paper_models.hpp"
+#include "eigengrasp/experiments/paper_scenes.hpp"
 #include "eigengrasp/planning/grasp_planner.hpp"
 
 namespace eigengrasp {
@@ -61,7 +61,7 @@ struct Table2Part {
 
 struct Table2 {
   Table2Options options;
-  PaperModels models;
+  PaperScenes scenes;
   std::vector<Table2Part> parts;  ///< both frictions with the paper's search, then with ours
   bool stopped_early = false;     ///< by the stop flag: cells are missing
 

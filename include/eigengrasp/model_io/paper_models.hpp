@@ -4,13 +4,9 @@
 
 #include <array>
 #include <filesystem>
-#include <map>
-#include <memory>
-#include <optional>
 #include <string>
-#include <vector>
 
-#include "eigengrasp/grasp/scene.hpp"
+#include "eigengrasp/geometry/object_model.hpp"
 #include "eigengrasp/model_io/hand_io.hpp"
 
 namespace eigengrasp {
@@ -49,25 +45,5 @@ ModelSource find_graspit_models(const std::filesystem::path& folder);
 HandModel load_paper_hand(const ModelSource& source, PaperHand hand, HandReadOptions options = {});
 /// GraspIt!'s ashtray, shoe_1741, glass, flask, phone, p51; or the shipped object.
 ObjectModel load_paper_object(const ModelSource& source, PaperObject object);
-
-/// What the contacts' friction is; the paper does not say which it used.
-enum class FrictionCase {
-  materials,  ///< as the models' materials say
-  one,        ///< mu = 1 everywhere
-};
-
-/// Hands and objects, each loaded once.
-class PaperModels {
- public:
-  PaperModels(const ModelSource& source, const std::vector<PaperHand>& hands,
-              const std::vector<PaperObject>& objects, const LogSink& log = {});
-
-  /// @pre both were loaded
-  Scene scene(PaperHand hand, PaperObject object, FrictionCase friction) const;
-
- private:
-  std::map<PaperHand, std::shared_ptr<const HandModel>> hands_;
-  std::map<PaperObject, std::shared_ptr<const ObjectModel>> objects_;
-};
 
 }  // namespace eigengrasp

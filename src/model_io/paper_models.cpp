@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
-#include "eigengrasp/experiments/paper_models.hpp"
+#include "eigengrasp/model_io/paper_models.hpp"
 
 #include "eigengrasp/core/error.hpp"
 #include "eigengrasp/model_io/graspit_io.hpp"
@@ -92,25 +92,6 @@ HandModel load_paper_hand(const ModelSource& source, PaperHand hand, HandReadOpt
 ObjectModel load_paper_object(const ModelSource& source, PaperObject object) {
   if (source.shipped()) return load_object(find_object(name_of(object)));
   return load_graspit_body(source.graspit / "objects" / (at(graspit_objects, object) + std::string(".xml")));
-}
-
-PaperModels::PaperModels(const ModelSource& source, const std::vector<PaperHand>& hands,
-                         const std::vector<PaperObject>& objects, const LogSink& log) {
-  HandReadOptions options;
-  options.log = log;
-  for (const PaperHand hand : hands)
-    hands_[hand] = std::make_shared<const HandModel>(load_paper_hand(source, hand, options));
-  for (const PaperObject object : objects)
-    objects_[object] = std::make_shared<const ObjectModel>(load_paper_object(source, object));
-}
-
-Scene PaperModels::scene(PaperHand hand, PaperObject object, FrictionCase friction) const {
-  Scene scene;
-  scene.hand = hands_.at(hand);
-  scene.object = objects_.at(object);
-  scene.object_material.name = scene.object->material;
-  if (friction == FrictionCase::one) set_friction(scene, 1.0);
-  return scene;
 }
 
 }  // namespace eigengrasp
