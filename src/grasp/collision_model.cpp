@@ -33,6 +33,12 @@ HandSurfaces::HandSurfaces(const HandModel& hand, double cover_tolerance, int th
     if (cover_tolerance <= 0.0) return;
     links[i].inner_spheres = cover_with_inner_spheres(mesh, links[i].bvh, cover_tolerance);
     links[i].groups = group_spheres(links[i].inner_spheres, 8);
+    DistanceFieldOptions field;
+    field.cell = 0.0015;
+    field.margin = 0.008;
+    field.far_margin = 0.032;
+    field.threads = 1;
+    links[i].field = DistanceField(links[i].bvh, field);
   });
 }
 

@@ -25,6 +25,7 @@ struct HandSurfaces {
     std::vector<Sphere> inner_spheres;  ///< in the link frame, ordered by group
     std::vector<SphereGroup> groups;    ///< of the inner spheres
     Sphere bound;                       ///< of the whole mesh
+    DistanceField field;                ///< in the link frame, near the link
     bool empty() const { return bvh.empty(); }
   };
   std::vector<LinkSurface> links;
@@ -51,6 +52,9 @@ class CollisionModel {
   const Scene& scene() const { return scene_; }
   const HandSurfaces& surfaces() const { return surfaces_; }
   const DistanceField& object_field() const { return object_field_; }
+  /// Of an obstacle of the scene, in its frame B.
+  const DistanceField& obstacle_field(std::size_t obstacle) const { return obstacle_fields_[obstacle]; }
+  const Options& options() const { return options_; }
 
   /// Inner spheres against distance fields and each other. Calls legal what intrudes less than about 2 mm;
   /// what is reported is checked exactly.
