@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "eigengrasp/core/instruction_set.hpp"
 #include "eigengrasp/core/parallel.hpp"
 #include "eigengrasp/core/version.hpp"
 
@@ -40,6 +41,7 @@ Machine this_machine() {
   if (machine.processor.empty()) machine.processor = "unknown processor";
   machine.threads = hardware_threads();
   machine.memory = proc_bytes("/proc/meminfo", "MemTotal");
+  machine.instruction_set = name_of(best_instruction_set());
   return machine;
 }
 

@@ -12,10 +12,10 @@ struct Machine {
   std::string processor;        ///< model name
   int threads = 0;              ///< that the machine has
   double memory = 0.0;          ///< [bytes]; 0 where unknown
-  std::string instruction_set;  ///< that the planner uses; empty where it makes no choice
+  std::string instruction_set;  ///< that the planner uses, such as "AVX2"
 };
 Machine this_machine();
-/// Such as "Xeon Gold 6248, 2 threads, 8 GB".
+/// Such as "Xeon Gold 6248, 2 threads, 8 GB, AVX-512".
 std::string describe(const Machine& machine);
 
 /// How a result was made, so that it can be made again.
