@@ -9,7 +9,7 @@ namespace eigengrasp::cli {
 /// What the program returns to the shell.
 enum ExitCode : int {
   success = 0,
-  nothing_found = 1,  ///< sound input, but no form-closed grasp, or a hand with errors
+  nothing_found = 1,  ///< sound input, but no form-closed grasp, a hand with errors, or a stopped experiment
   bad_input = 2,      ///< one sentence on stderr says what
 };
 
@@ -20,5 +20,7 @@ void add_quality_command(CLI::App& app);
 void add_render_command(CLI::App& app);
 void add_hand_command(CLI::App& app, int& exit_code);
 void add_object_command(CLI::App& app);
+void add_bench_command(CLI::App& app, int& exit_code);
+void add_reproduce_command(CLI::App& app, int& exit_code);
 
 }  // namespace eigengrasp::cli

@@ -114,11 +114,9 @@ void load_object_choice(const SceneChoice& choice, Scene& scene) {
   scene.object = std::make_shared<ObjectModel>(load_sound_object(find_object(choice.object), options));
 }
 
-void set_friction(Scene& scene, double friction) {
+void set_sound_friction(Scene& scene, double friction) {
   if (!(friction >= 0.0) || !std::isfinite(friction)) fail("--friction is {}, expected 0 or more", friction);
-  HandModel hand = *scene.hand;
-  for (HandLink& link : hand.links) link.material.friction = friction;
-  scene.hand = std::make_shared<HandModel>(std::move(hand));
+  set_friction(scene, friction);
 }
 
 }  // namespace
@@ -148,7 +146,7 @@ Scene load_scene(const SceneChoice& choice) {
   if (!choice.table.empty())
     scene.obstacles.push_back(make_table(choice.table == "auto" ? bounding_box(scene.object->mesh).min.z()
                                                                 : number(choice.table, "--table")));
-  if (choice.friction) set_friction(scene, *choice.friction);
+  if (choice.friction) set_sound_friction(scene, *choice.friction);
   return scene;
 }
 

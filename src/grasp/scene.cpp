@@ -18,6 +18,12 @@ Obstacle make_table(double z) {
   return {std::make_shared<ObjectModel>(make_object("table", std::move(box))), Pose::Identity()};
 }
 
+void set_friction(Scene& scene, double friction) {
+  HandModel hand = *scene.hand;
+  for (HandLink& link : hand.links) link.material.friction = friction;
+  scene.hand = std::make_shared<HandModel>(std::move(hand));
+}
+
 double hand_reach(const HandModel& hand) {
   std::vector<Pose> X_HL;
   compute_link_poses(hand, joint_values(hand, hand.rest_posture()), Pose::Identity(), X_HL);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "eigengrasp/geometry/distance_field.hpp"
+#include "eigengrasp/geometry/preparation_cache.hpp"
 #include "eigengrasp/geometry/sphere_cover.hpp"
 #include "eigengrasp/grasp/scene.hpp"
 
@@ -25,13 +26,14 @@ struct HandSurfaces {
     std::vector<Sphere> inner_spheres;  ///< in the link frame, ordered by group
     std::vector<SphereGroup> groups;    ///< of the inner spheres
     Sphere bound;                       ///< of the whole mesh
+    DistanceField field;                ///< in the link frame, near the link
     bool empty() const { return bvh.empty(); }
   };
   std::vector<LinkSurface> links;
 
   HandSurfaces() = default;
   /// Cost: about 0.2 s. @param cover_tolerance of the inner spheres [m]
-  HandSurfaces(const HandModel& hand, double cover_tolerance, int threads);
+  HandSurfaces(const HandModel& hand, double cover_tolerance, int threads, PreparationCache* cache = nullptr);
 };
 
 /// What the hand can hit: the object, obstacles, itself. Immutable, shared by all threads. All link poses are
@@ -44,6 +46,7 @@ class CollisionModel {
         0.0002;        ///< [m] spheres that intrude less are let pass: error of the distance field
     bool fast = true;  ///< prepare distance fields and spheres; else only exact queries work
     int threads = 0;
+    std::shared_ptr<PreparationCache> cache = {};  ///< of fields and spheres; none: all is made anew
   };
 
   CollisionModel(Scene scene, const Options& options);
@@ -51,6 +54,9 @@ class CollisionModel {
   const Scene& scene() const { return scene_; }
   const HandSurfaces& surfaces() const { return surfaces_; }
   const DistanceField& object_field() const { return object_field_; }
+  /// Of an obstacle of the scene, in its frame B.
+  const DistanceField& obstacle_field(std::size_t obstacle) const { return obstacle_fields_[obstacle]; }
+  const Options& options() const { return options_; }
 
   /// Inner spheres against distance fields and each other. Calls legal what intrudes less than about 2 mm;
   /// what is reported is checked exactly.

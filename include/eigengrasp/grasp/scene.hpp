@@ -28,6 +28,9 @@ struct Scene {
 /// A table: a box of side 2 m and thickness 50 mm with its top at height z [m] of the object frame.
 Obstacle make_table(double z);
 
+/// Gives every contact of the hand this Coulomb coefficient, instead of the materials'. @pre friction >= 0
+void set_friction(Scene& scene, double friction);
+
 /// Radius [m] of the ball about the base frame that holds the hand in its open (rest) posture.
 double hand_reach(const HandModel& hand);
 

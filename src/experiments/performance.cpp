@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The eigengrasp authors
+#include "eigengrasp/experiments/performance.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+
+#include "eigengrasp/core/random.hpp"
+#include "eigengrasp/experiments/statistics.hpp"
+#include "eigengrasp/grasp/contact_finder.hpp"
+#include "eigengrasp/planning/finger_closing.hpp"
+#include "eigengrasp/planning/grasp_energy.hpp"
+
+namespace eigengrasp {
+
+namespace {
+
+class StopWatch {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+double time_of(const std::function<void()>& work) {
+  const StopWatch watch;
+  work();
+  return watch.seconds();
+}
+
+/// Calls work at least once, and again until the time is up.
+void repeat(double seconds, const StopFlag* stop, const std::function<void()>& work) {
+  const StopWatch watch;
+  do {
+    work();
+  } while (watch.seconds() < seconds && !(stop && stop->stop_requested()));
+}
+
+PlanOptions plan_options(const PerformanceOptions& options, int threads, std::uint64_t seed) {
+  PlanOptions plan;
+  plan.iterations = options.iterations;
+  plan.search = options.search;
+  plan.threads = threads;
+  plan.seed = seed;
+  plan.stop = options.stop;
+  return plan;
+}
+
+/// Runs the planner until the time is up. @param first the result with seed 1
+ThreadedPerformance measure_runs(const Scene& scene, const PerformanceOptions& options, int threads,
+                                 ScenePerformance& out, PlanResult& first) {
+  std::vector<double> prepare, run, rate;
+  std::int64_t evaluated = 0;
+  std::int64_t legal = 0;
+  repeat(options.seconds, options.stop, [&] {
+    PlanResult result = plan_grasps(scene, plan_options(options, threads, run.size() + 1));
+    prepare.push_back(result.timings.prepare);
+    run.push_back(result.timings.search + result.timings.close);
+    rate.push_back(static_cast<double>(result.states.evaluated) / result.timings.search);
+    evaluated += result.states.evaluated;
+    legal += result.states.legal;
+    if (run.size() == 1) first = std::move(result);
+  });
+  if (threads == 1) {
+    out.runs = static_cast<int>(run.size());
+    out.legal_share = evaluated > 0 ? static_cast<double>(legal) / static_cast<double>(evaluated) : 0.0;
+  }
+  return {threads, median(prepare), median(run), median(rate), 0.0};
+}
+
+std::vector<ContactPoint> points_of(const std::vector<GraspContact>& contacts) {
+  std::vector<ContactPoint> points;
+  for (const GraspContact& c : contacts) points.push_back(c.point);
+  return points;
+}
+
+/// Tests the pre-grasps that a search found, step by step.
+class CandidateBench {
+ public:
+  CandidateBench(const Scene& scene, const PlanOptions& plan, const std::vector<Grasp>& grasps)
+      : model_(scene, CollisionModel::Options{}), energy_(model_, plan), grasps_(grasps) {}
+
+  /// Seconds of all candidates together, for each step.
+  CandidateSteps round() {
+    CandidateSteps t;
+    closed_.resize(grasps_.size());
+    points_.resize(grasps_.size());
+    t.close = time_of([&] {
+      for (std::size_t i = 0; i < grasps_.size(); ++i) closed_[i] = close(grasps_[i]);
+    });
+    t.contacts = time_of([&] {
+      for (std::size_t i = 0; i < grasps_.size(); ++i)
+        points_[i] = points_of(find_contacts(model_, closed_[i].X_OL));
+    });
+    t.closure = time_of([&] {
+      for (const auto& points : points_) (void)has_form_closure(points, energy_.wrench_space());
+    });
+    t.epsilon = time_of([&] {
+      for (const auto& points : points_) (void)compute_epsilon(points, energy_.wrench_space());
+    });
+    return t;
+  }
+
+  /// Seconds of all candidates together on several threads.
+  double round(int threads) const {
+    return time_of([&] {
+      parallel_for(grasps_.size(), threads, [&](std::size_t i, int) {
+        const auto points = points_of(find_contacts(model_, close(grasps_[i]).X_OL));
+        (void)compute_epsilon(points, energy_.wrench_space());
+      });
+    });
+  }
+
+  /// Mean of a candidate, after a round.
+  double contacts() const {
+    double sum = 0.0;
+    for (const auto& points : points_) sum += static_cast<double>(points.size());
+    return points_.empty() ? 0.0 : sum / static_cast<double>(points_.size());
+  }
+
+ private:
+  ClosedHand close(const Grasp& g) const { return close_fingers(model_, g.X_OH_pregrasp, g.pregrasp_dofs); }
+
+  CollisionModel model_;
+  GraspEnergy energy_;
+  const std::vector<Grasp>& grasps_;
+  std::vector<ClosedHand> closed_;
+  std::vector<std::vector<ContactPoint>> points_;
+};
+
+void measure_candidates(const Scene& scene, const PerformanceOptions& options,
+                        const std::vector<Grasp>& grasps, ScenePerformance& out) {
+  out.candidates = static_cast<int>(grasps.size());
+  if (grasps.empty()) return;
+  const auto n = static_cast<double>(grasps.size());
+  CandidateBench bench(scene, plan_options(options, 1, 1), grasps);
+  std::vector<double> close, contacts, closure, epsilon, whole;
+  repeat(options.seconds, options.stop, [&] {
+    const CandidateSteps t = bench.round();
+    close.push_back(t.close / n);
+    contacts.push_back(t.contacts / n);
+    closure.push_back(t.closure / n);
+    epsilon.push_back(t.epsilon / n);
+    whole.push_back((t.close + t.contacts + t.epsilon) / n);
+  });
+  out.steps = {median(close), median(contacts), median(closure), median(epsilon)};
+  out.contacts = bench.contacts();
+  for (ThreadedPerformance& by : out.by_threads) {
+    if (by.threads != 1) {
+      whole.clear();
+      repeat(options.seconds, options.stop, [&] { whole.push_back(bench.round(by.threads) / n); });
+    }
+    by.candidates_per_second = 1.0 / median(whole);
+  }
+}
+
+}  // namespace
+
+ScenePerformance measure_performance(const Scene& scene, const PerformanceOptions& options) {
+  ScenePerformance out;
+  out.hand = scene.hand->name;
+  out.object = scene.object->name;
+  const int all = options.threads > 0 ? options.threads : hardware_threads();
+  PlanResult first;
+  out.by_threads.push_back(measure_runs(scene, options, 1, out, first));
+  if (all > 1) {
+    reset_peak_memory();
+    out.by_threads.push_back(measure_runs(scene, options, all, out, first));
+  }
+  out.peak_memory = peak_memory();
+  measure_candidates(scene, options, first.grasps, out);
+  return out;
+}
+
+WrenchPerformance measure_wrench_space(double seconds) {
+  constexpr std::size_t sets = 64;
+  constexpr int contacts_of_a_set = 8;
+  const Vec3 half_axes(0.03, 0.04, 0.05);  // [m]
+  WrenchSpaceOptions options;
+  options.torque_scale = half_axes.maxCoeff();
+  std::vector<std::vector<ContactPoint>> all(sets);
+  for (std::size_t set = 0; set < sets; ++set) {
+    RandomStream random{set};
+    for (int i = 0; i < contacts_of_a_set; ++i) {
+      const Vec3 u = Vec3(random.normal(), random.normal(), random.normal()).normalized();
+      ContactPoint contact;
+      contact.p_OC = half_axes.cwiseProduct(u);
+      contact.n_OC = -u.cwiseQuotient(half_axes).normalized();
+      contact.mu = 0.5;
+      all[set].push_back(contact);
+    }
+  }
+  std::vector<double> epsilon, closure;
+  repeat(seconds, nullptr, [&] {
+    epsilon.push_back(time_of([&] {
+      for (const auto& contacts : all) (void)compute_epsilon(contacts, options);
+    }));
+    closure.push_back(time_of([&] {
+      for (const auto& contacts : all) (void)has_form_closure(contacts, options);
+    }));
+  });
+  return {median(epsilon) / static_cast<double>(sets), median(closure) / static_cast<double>(sets)};
+}
+
+}  // namespace eigengrasp

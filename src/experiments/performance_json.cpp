@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The eigengrasp authors
+#include "eigengrasp/experiments/performance.hpp"
+#include "experiments/record_json.hpp"
+
+namespace eigengrasp {
+
+namespace {
+
+OrderedJson scene_json(const ScenePerformance& scene) {
+  OrderedJson json{{"hand", scene.hand},
+                   {"object", scene.object},
+                   {"runs", scene.runs},
+                   {"legal_share", scene.legal_share},
+                   {"candidates", scene.candidates},
+                   {"contacts_mean", scene.contacts},
+                   {"microseconds",
+                    {{"close", 1e6 * scene.steps.close},
+                     {"contacts", 1e6 * scene.steps.contacts},
+                     {"closure", 1e6 * scene.steps.closure},
+                     {"epsilon", 1e6 * scene.steps.epsilon}}},
+                   {"peak_memory_bytes", scene.peak_memory},
+                   {"threads", OrderedJson::array()}};
+  for (const ThreadedPerformance& by : scene.by_threads)
+    json["threads"].push_back({{"threads", by.threads},
+                               {"states_per_second", by.states_per_second},
+                               {"candidates_per_second", by.candidates_per_second},
+                               {"prepare_seconds", by.prepare},
+                               {"run_seconds", by.run}});
+  return json;
+}
+
+}  // namespace
+
+std::string performance_json(const PerformanceReport& report) {
+  OrderedJson json{{"format", "eigengrasp-bench"}, {"version", 1}};
+  json.update(record_json(report.record));
+  json["search"] = report.options.search == SearchKind::paper ? "paper" : "staged";
+  json["iterations"] = report.options.iterations;
+  json["wrench_space_microseconds"] = {{"epsilon_8_contacts", 1e6 * report.wrench.epsilon},
+                                       {"closure_8_contacts", 1e6 * report.wrench.closure}};
+  json["scenes"] = OrderedJson::array();
+  for (const ScenePerformance& scene : report.scenes) json["scenes"].push_back(scene_json(scene));
+  return pretty_text(json);
+}
+
+}  // namespace eigengrasp

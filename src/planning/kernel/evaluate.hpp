@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The eigengrasp authors
+#pragma once
+
+#include "planning/kernel/field_lookup.hpp"
+
+/// Legality and contact energy of sixteen states. First with a lane a state: posture, forward kinematics, a
+/// few balls of each link, energy. Then, for the states that are left, with a lane a ball: the links near
+/// something.
+namespace eigengrasp::kernel {
+
+template <class B>
+class Evaluation {
+  using F = Floats<B>;
+  using V = Vector<B>;
+
+ public:
+  Evaluation(const Program& program, const Workspace& work) : p_(program), w_(work) {}
+
+  void run() {
+    embed();
+    place_bodies();
+    place_parts();
+    alive_ = 0xffffu;
+    for (int i = 0; i < n_lanes; ++i) w_.verdict[i] = legal;
+    const std::uint32_t unsure_postures = consult_postures();
+    meet_object();
+    if (alive_ == 0) return;
+    add_up_energy();
+    for (int k = 0; k < p_.n_obstacles && alive_ != 0; ++k) meet_obstacle(p_.obstacles[k]);
+    for (std::uint32_t left = alive_; left != 0; left &= left - 1) {
+      const int lane = __builtin_ctz(left);
+      if (touches_object(lane)) end(1u << lane, hits_object);
+    }
+    meet_itself(unsure_postures);
+  }
+
+  void run_clear_itself() {
+    embed();
+    place_bodies();
+    place_parts();
+    float least[n_lanes];
+    for (float& x : least) x = most_clearance;
+    for (int i = 0; i < p_.n_pairs; ++i) {
+      const Part& a = p_.parts[p_.pairs[i].balls];
+      const Part& b = p_.parts[p_.pairs[i].field];
+      for (std::uint32_t left = near_each_other(p_.pairs[i], most_clearance); left != 0; left &= left - 1) {
+        const int lane = __builtin_ctz(left);
+        least[lane] = clearance<false>(a, pose_in_link(a, b, lane), b.field, least[lane]);
+      }
+    }
+    for (int i = 0; i < n_lanes; ++i) w_.energy[i] = least[i];
+  }
+
+ private:
+  /// p = p_m + sum a_i e_i, eq. (2), inside the limits.
+  void embed() {
+    for (int d = 0; d < p_.n_dofs; ++d) {
+      F value(p_.origin[d]);
+      for (int i = 0; i < p_.n_amplitudes; ++i)
+        value = value + F(p_.basis[d * p_.n_amplitudes + i]) * load<B>(w_.amplitudes + i * n_lanes);
+      store<B>(w_.dofs + d * n_lanes, clamp(value, F(p_.dof_min[d]), F(p_.dof_max[d])));
+    }
+  }
+
+  float* pose(int body) const { return w_.poses + body * 12 * n_lanes; }
+
+  void place_bodies() {
+    store_motion<B>(pose(0), base());
+    for (int b = 1; b < p_.n_bodies; ++b) {
+      const Body& body = p_.bodies[b];
+      Motion<B> X = times(load_motion<B>(pose(body.parent)), body.in_parent);
+      const F value = F(body.ratio) * load<B>(w_.dofs + body.dof * n_lanes) + F(body.offset);
+      if (body.slides) {
+        X.p = X.p + value * X.ez;
+      } else {
+        const SineCosine<B> t = sine_cosine<B>(value);
+        const V ex = t.cosine * X.ex + t.sine * X.ey;
+        X.ey = t.cosine * X.ey - t.sine * X.ex;
+        X.ex = ex;
+      }
+      store_motion<B>(pose(b), X);
+    }
+  }
+
+  Motion<B> base() const {
+    const F w = load<B>(w_.quaternion);
+    const F x = load<B>(w_.quaternion + n_lanes);
+    const F y = load<B>(w_.quaternion + 2 * n_lanes);
+    const F z = load<B>(w_.quaternion + 3 * n_lanes);
+    const F one(1.0f);
+    const F two(2.0f);
+    Motion<B> X;
+    X.ex = {one - two * (y * y + z * z), two * (x * y + w * z), two * (x * z - w * y)};
+    X.ey = {two * (x * y - w * z), one - two * (x * x + z * z), two * (y * z + w * x)};
+    X.ez = {two * (x * z + w * y), two * (y * z - w * x), one - two * (x * x + y * y)};
+    const V a{load<B>(w_.position), load<B>(w_.position + n_lanes), load<B>(w_.position + 2 * n_lanes)};
+    X.p = a - turned(X, splat<B>(p_.approach_point));
+    return X;
+  }
+
+  float* center(int part) const { return w_.centers + part * 3 * n_lanes; }
+  V load_center(int part) const {
+    return {load<B>(center(part)), load<B>(center(part) + n_lanes), load<B>(center(part) + 2 * n_lanes)};
+  }
+
+  void place_parts() {
+    for (int i = 0; i < p_.n_parts; ++i) {
+      const V c = moved(load_motion<B>(pose(p_.parts[i].body)), splat<B>(p_.parts[i].center));
+      store<B>(center(i), c.x);
+      store<B>(center(i) + n_lanes, c.y);
+      store<B>(center(i) + 2 * n_lanes, c.z);
+    }
+  }
+
+  void end(std::uint32_t lanes, Verdict verdict) {
+    alive_ &= ~lanes;
+    for (; lanes != 0; lanes &= lanes - 1) w_.verdict[__builtin_ctz(lanes)] = verdict;
+  }
+
+  /// Sorts out states that surely hit the object, and notes which parts are so near that it is unsure.
+  void meet_object() {
+    for (int i = 0; i < p_.n_parts; ++i) {
+      const Part& part = p_.parts[i];
+      const DistanceBounds<B> bounds = bound_distance<B>(p_.object.field, load_center(i));
+      w_.unsure[i] = bits(bounds.lower < F(part.reach)) & alive_;
+      if (w_.unsure[i] == 0) continue;
+      const Motion<B> X = load_motion<B>(pose(part.body));
+      std::uint32_t hit = 0;
+      for (int k = part.first_core; k < part.first_core + part.n_cores; ++k) {
+        const CoreBall& ball = p_.cores[k];
+        hit |=
+            bits(bound_distance<B>(p_.object.field, moved(X, splat<B>(ball.center))).upper < F(ball.radius));
+      }
+      end(hit & alive_, hits_object);
+      if (alive_ == 0) return;
+    }
+  }
+
+  /// Mean over the virtual contacts of distance in millimetres + 1000 alpha (1 - n . o / |o|).
+  void add_up_energy() {
+    F distances(0.0f);
+    F misfits(0.0f);
+    for (int i = 0; i < p_.n_contacts; ++i) {
+      const Contact& contact = p_.contacts[i];
+      const Motion<B> X = load_motion<B>(pose(contact.body));
+      const Cell<B> cell = look_up<B>(p_.object.field, moved(X, splat<B>(contact.p)));
+      const V g = gradient(cell);
+      const F slope = sqrt(max(dot(g, g), F(1e-12f)));
+      // -o: from the nearest point of the surface to the contact, for one beyond the grid by way of its
+      // border.
+      const V away = cell.beyond + (distance(cell) / slope) * g;
+      const F length = sqrt(dot(away, away));
+      const F minus_cosine = dot(turned(X, splat<B>(contact.n)), away) / max(length, F(1e-9f));
+      distances = distances + length;
+      misfits = misfits + (F(1.0f) + minus_cosine);
+    }
+    const F each(p_.n_contacts > 0 ? 1000.0f / static_cast<float>(p_.n_contacts) : 0.0f);
+    const F energy = each * (distances + F(p_.alpha) * misfits);
+    store<B>(w_.energy, energy);
+    end(bits(load<B>(w_.threshold) <= energy) & alive_, energy_too_high);
+  }
+
+  Transform pose_of_lane(int body, int lane) const {
+    const float* x = pose(body) + lane;
+    Transform t;
+    for (int column = 0; column < 3; ++column)
+      for (int row = 0; row < 3; ++row) t.R[3 * row + column] = x[(3 * column + row) * n_lanes];
+    for (int row = 0; row < 3; ++row) t.p[row] = x[(9 + row) * n_lanes];
+    return t;
+  }
+
+  bool touches_object(int lane) const {
+    for (int i = 0; i < p_.n_parts; ++i)
+      if ((w_.unsure[i] >> lane & 1u) &&
+          part_hits(p_.parts[i], pose_of_lane(p_.parts[i].body, lane), p_.object.field))
+        return true;
+    return false;
+  }
+
+  /// The least distance minus radius over the balls of a part, where that is below the limit, else the limit.
+  /// `enough`: may return as soon as something below the limit was found.
+  /// @param X_FB pose of the part's body in the field's frame
+  template <bool enough>
+  float clearance(const Part& part, const Transform& X_FB, const FieldView& field, float limit) const {
+    const Motion<B> X = splat_motion<B>(X_FB);
+    float least = limit;
+    for (int i = part.first_pack; i < part.first_pack + part.n_packs; ++i) {
+      const ClusterPack& c = p_.clusters[i];
+      const Cell<B> cell = look_up<B>(field, moved(X, V{load<B>(c.x), load<B>(c.y), load<B>(c.z)}));
+      const F at_border = distance(cell);
+      const F beyond = sqrt(dot(cell.beyond, cell.beyond));
+      // A point beyond the grid by b, whose border's distance is d, is at most d + b from the surface, and at
+      // least the root of d^2 + b^2, since the surface lies within the grid's box.
+      const F core = at_border + beyond - load<B>(c.core);
+      if (enough && bits(core < F(limit)) != 0) return lowest(core, least);
+      const F lower = sqrt(beyond * beyond + at_border * at_border);
+      const F slack = select(F(0.0f) < beyond, lower, at_border) - load<B>(c.reach);
+      for (std::uint32_t near = bits(slack < F(least)); near != 0; near &= near - 1) {
+        const BallPack& pack = p_.balls[n_lanes * i + __builtin_ctz(near)];
+        const F gap = ball_gaps(pack, X, field);
+        if (bits(gap < F(least)) == 0) continue;
+        least = lowest(gap, least);
+        if (enough) return least;
+      }
+    }
+    return least;
+  }
+
+  F ball_gaps(const BallPack& pack, const Motion<B>& X, const FieldView& field) const {
+    const Cell<B> cell = look_up<B>(field, moved(X, V{load<B>(pack.x), load<B>(pack.y), load<B>(pack.z)}));
+    return distance(cell) + sqrt(dot(cell.beyond, cell.beyond)) - load<B>(pack.radius);
+  }
+
+  float lowest(const F& values, float least) const {
+    store<B>(w_.row, values);
+    for (int i = 0; i < n_lanes; ++i)
+      if (w_.row[i] < least) least = w_.row[i];
+    return least;
+  }
+
+  bool part_hits(const Part& part, const Transform& X_FB, const FieldView& field) const {
+    return clearance<true>(part, X_FB, field, -p_.refuse_depth) < -p_.refuse_depth;
+  }
+
+  void meet_obstacle(const Solid& solid) {
+    const Motion<B> X_BO = splat_motion<B>(solid.object_in_field);
+    for (int i = 0; i < p_.n_parts; ++i) {
+      const Part& part = p_.parts[i];
+      const DistanceBounds<B> bounds = bound_distance<B>(solid.field, moved(X_BO, load_center(i)));
+      for (std::uint32_t left = bits(bounds.lower < F(part.reach)) & alive_; left != 0; left &= left - 1) {
+        const int lane = __builtin_ctz(left);
+        if (part_hits(part, product(solid.object_in_field, pose_of_lane(part.body, lane)), solid.field))
+          end(1u << lane, hits_obstacle);
+      }
+    }
+  }
+
+  static Transform product(const Transform& a, const Transform& b) {
+    Transform c;
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j)
+        c.R[3 * i + j] = a.R[3 * i] * b.R[j] + a.R[3 * i + 1] * b.R[3 + j] + a.R[3 * i + 2] * b.R[6 + j];
+      c.p[i] = a.R[3 * i] * b.p[0] + a.R[3 * i + 1] * b.p[1] + a.R[3 * i + 2] * b.p[2] + a.p[i];
+    }
+    return c;
+  }
+  static Transform inverse(const Transform& a) {
+    Transform c;
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) c.R[3 * i + j] = a.R[3 * j + i];
+      c.p[i] = -(a.R[i] * a.p[0] + a.R[3 + i] * a.p[1] + a.R[6 + i] * a.p[2]);
+    }
+    return c;
+  }
+
+  /// Sorts out the postures that surely collide, and returns the lanes of those that may.
+  std::uint32_t consult_postures() {
+    const PostureGrid& g = p_.postures;
+    if (!g.clearance) return 0xffffu;
+    const auto node = [&](int i) {
+      const F u = F(g.per_amplitude[i]) * (load<B>(w_.amplitudes + i * n_lanes) - F(g.low[i]));
+      return truncate(clamp(u, F(0.0f), F(static_cast<float>(g.nodes[i] - 2))));
+    };
+    const bool two = p_.n_amplitudes > 1;
+    const Ints<B> at = two ? node(0) + node(1) * Ints<B>(g.nodes[0]) : node(0);
+    const Ints<B> up(two ? g.nodes[0] : 0);
+    const Ints<B> one(1);
+    const F c00 = gather<B>(g.clearance, at);
+    const F c10 = gather<B>(g.clearance, at + one);
+    const F c01 = gather<B>(g.clearance, at + up);
+    const F c11 = gather<B>(g.clearance, at + up + one);
+    constexpr float unsure =
+        0.0007f;  // [m] how far the clearance inside a cell may be from that at its corners
+    end(bits(max(max(c00, c10), max(c01, c11)) < F(-unsure)) & alive_, hits_itself);
+    return bits(min(min(c00, c10), min(c01, c11)) < F(unsure));
+  }
+
+  void meet_itself(std::uint32_t unsure) {
+    for (int i = 0; i < p_.n_pairs; ++i) {
+      const Part& a = p_.parts[p_.pairs[i].balls];
+      const Part& b = p_.parts[p_.pairs[i].field];
+      for (std::uint32_t left = near_each_other(p_.pairs[i], 0.0f) & unsure & alive_; left != 0;
+           left &= left - 1) {
+        const int lane = __builtin_ctz(left);
+        if (part_hits(a, pose_in_link(a, b, lane), b.field)) end(1u << lane, hits_itself);
+      }
+      if ((alive_ & unsure) == 0) return;
+    }
+  }
+
+  std::uint32_t near_each_other(const Pair& pair, float margin) const {
+    const V gap = load_center(pair.balls) - load_center(pair.field);
+    const float reach = p_.parts[pair.balls].reach + p_.parts[pair.field].reach + margin;
+    return bits(dot(gap, gap) < F(reach * reach));
+  }
+
+  /// Pose of a's body in the frame of b's field.
+  Transform pose_in_link(const Part& a, const Part& b, int lane) const {
+    const Transform X_BO = inverse(pose_of_lane(b.body, lane));
+    return product(b.body_in_link, product(X_BO, pose_of_lane(a.body, lane)));
+  }
+
+  const Program& p_;
+  const Workspace& w_;
+  std::uint32_t alive_ = 0;
+};
+
+template <class B>
+void clear_itself(const Program& program, const Workspace& work) {
+  Evaluation<B>(program, work).run_clear_itself();
+}
+
+template <class B>
+void evaluate(const Program& program, const Workspace& work) {
+  Evaluation<B>(program, work).run();
+}
+
+}  // namespace eigengrasp::kernel

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The eigengrasp authors
+#include "eigengrasp/planning/state_evaluator.hpp"
+
+#include <stdexcept>
+
+#include "planning/kernel_workspace.hpp"
+#include "planning/lane_state.hpp"
+#include "planning/state_program.hpp"
+
+namespace eigengrasp {
+
+namespace {
+
+const kernel::Functions& functions_for(InstructionSet set) {
+  switch (set) {
+    case InstructionSet::baseline:
+      return kernel::baseline_functions;
+#if defined(__x86_64__)
+    case InstructionSet::avx2:
+      return kernel::avx2_functions;
+    case InstructionSet::avx512:
+      return kernel::avx512_functions;
+#else
+    default:
+      return kernel::baseline_functions;
+#endif
+  }
+  throw std::logic_error("unknown instruction set");
+}
+
+}  // namespace
+
+struct StateEvaluator::Storage {
+  StateProgram program;
+};
+
+StateEvaluator::StateEvaluator(const CollisionModel& model, const EigengraspSpace& postures, double alpha,
+                               InstructionSet instructions)
+    : storage_(new Storage{{model, postures, alpha}}), functions_(&functions_for(instructions)) {
+  storage_->program.add_posture_grid(postures, *functions_, model.options().threads);
+}
+
+StateEvaluator::~StateEvaluator() = default;
+StateEvaluator::StateEvaluator(StateEvaluator&&) noexcept = default;
+
+void StateEvaluator::evaluate(Batch& batch) const {
+  functions_->evaluate(storage_->program.program(), batch.memory_->work());
+}
+
+StateEvaluator::Batch::Batch(const StateEvaluator& evaluator)
+    : memory_(std::make_unique<KernelWorkspace>(evaluator.storage_->program.program())),
+      n_amplitudes_(evaluator.storage_->program.program().n_amplitudes) {}
+
+StateEvaluator::Batch::~Batch() = default;
+StateEvaluator::Batch::Batch(Batch&&) noexcept = default;
+StateEvaluator::Batch& StateEvaluator::Batch::operator=(Batch&&) noexcept = default;
+
+void StateEvaluator::Batch::set(int lane, const HandState& state) {
+  const kernel::Workspace& work = memory_->work();
+  put_lane(state, lane, {work.position, work.quaternion, work.amplitudes});
+}
+
+HandState StateEvaluator::Batch::state(int lane) const {
+  const kernel::Workspace& work = memory_->work();
+  return take_lane(lane, {work.position, work.quaternion, work.amplitudes}, n_amplitudes_);
+}
+
+void StateEvaluator::Batch::set_threshold(int lane, double energy) {
+  memory_->work().threshold[lane] = static_cast<float>(energy);
+}
+
+StateEvaluator::Verdict StateEvaluator::Batch::verdict(int lane) const {
+  return static_cast<Verdict>(memory_->work().verdict[lane]);
+}
+
+double StateEvaluator::Batch::energy(int lane) const {
+  return memory_->work().energy[lane];
+}
+
+}  // namespace eigengrasp

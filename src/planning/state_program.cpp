@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The eigengrasp authors
+#include "planning/state_program.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "eigengrasp/core/parallel.hpp"
+#include "planning/kernel_workspace.hpp"
+
+namespace eigengrasp {
+
+namespace {
+
+constexpr float never = -1e9f;            // radius of a ball that meets nothing
+constexpr int most_cores = 3;             // balls of a part that are tried before all others
+constexpr double cluster_slack = 0.0003;  // [m] for the field's error at a cluster's centre
+
+kernel::Transform transform_of(const Pose& X) {
+  kernel::Transform t;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) t.R[3 * i + j] = static_cast<float>(X.linear()(i, j));
+    t.p[i] = static_cast<float>(X.translation()[i]);
+  }
+  return t;
+}
+
+void put(const Vec3& v, float out[3]) {
+  for (int i = 0; i < 3; ++i) out[i] = static_cast<float>(v[i]);
+}
+
+/// Rotation that takes z to the axis.
+Mat3 turn_z_to(const Vec3& axis) {
+  return Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), axis).toRotationMatrix();
+}
+
+kernel::GridView grid_view(const FieldGrid& grid, double scale, std::size_t first) {
+  kernel::GridView v;
+  put(scale * grid.origin, v.origin);
+  for (int i = 0; i < 3; ++i) v.last[i] = static_cast<float>(grid.nodes[i] - 1);
+  v.cell = static_cast<float>(scale * grid.cell);
+  v.inverse_cell = static_cast<float>(1.0 / (scale * grid.cell));
+  v.row = grid.nodes.x();
+  v.layer = grid.nodes.x() * grid.nodes.y();
+  v.first = static_cast<std::int32_t>(first);
+  return v;
+}
+
+}  // namespace
+
+StateProgram::StateProgram(const CollisionModel& model, const EigengraspSpace& postures, double alpha) {
+  const Scene& scene = model.scene();
+  const HandModel& hand = *scene.hand;
+  add_postures(hand, postures);
+  add_bodies(hand);
+  part_of_link_.assign(hand.links.size(), -1);
+  for (int i = 0; i < hand.n_links(); ++i)
+    if (!model.surfaces().links[static_cast<std::size_t>(i)].empty()) add_part(model, i);
+  add_pairs(hand);
+  add_contacts(hand);
+  for (std::size_t k = 0; k < scene.obstacles.size(); ++k)
+    obstacles_.push_back({view(model.obstacle_field(k)), transform_of(scene.obstacles[k].X_OB.inverse())});
+
+  program_.n_dofs = hand.n_dof();
+  program_.n_amplitudes = postures.size();
+  program_.n_bodies = static_cast<int>(bodies_.size());
+  program_.n_parts = static_cast<int>(parts_.size());
+  program_.n_pairs = static_cast<int>(pairs_.size());
+  program_.n_contacts = static_cast<int>(contacts_.size());
+  program_.n_obstacles = static_cast<int>(obstacles_.size());
+  program_.origin = origin_.data();
+  program_.basis = basis_.data();
+  program_.dof_min = dof_min_.data();
+  program_.dof_max = dof_max_.data();
+  put(hand.approach_point_H, program_.approach_point);
+  program_.bodies = bodies_.data();
+  program_.parts = parts_.data();
+  program_.cores = cores_.data();
+  program_.clusters = clusters_.data();
+  program_.balls = balls_.data();
+  program_.pairs = pairs_.data();
+  program_.contacts = contacts_.data();
+  program_.object = {view(model.object_field()), transform_of(Pose::Identity())};
+  program_.obstacles = obstacles_.data();
+  program_.refuse_depth = static_cast<float>(model.options().refuse_depth);
+  program_.alpha = static_cast<float>(alpha);
+}
+
+void StateProgram::add_postures(const HandModel& hand, const EigengraspSpace& postures) {
+  const auto to_floats = [](const VecX& v) {
+    const Eigen::VectorXf f = v.cast<float>();
+    return std::vector<float>(f.data(), f.data() + f.size());
+  };
+  origin_ = to_floats(postures.origin());
+  dof_min_ = to_floats(hand.dof_min());
+  dof_max_ = to_floats(hand.dof_max());
+  for (int d = 0; d < hand.n_dof(); ++d)
+    for (int i = 0; i < postures.size(); ++i) basis_.push_back(static_cast<float>(postures.basis()(d, i)));
+}
+
+void StateProgram::add_bodies(const HandModel& hand) {
+  body_of_link_.assign(hand.links.size(), 0);
+  X_BL_.assign(hand.links.size(), Pose::Identity());
+  bodies_.push_back({-1, -1, false, 0.0f, 0.0f, transform_of(Pose::Identity())});
+  for (std::size_t j = 0; j < hand.joints.size(); ++j) {
+    const HandJoint& joint = hand.joints[j];
+    const auto parent = static_cast<std::size_t>(joint.parent_link);
+    const Pose X_BJ = X_BL_[parent] * joint.X_PJ;
+    if (joint.type == JointType::fixed) {
+      body_of_link_[j + 1] = body_of_link_[parent];
+      X_BL_[j + 1] = X_BJ;
+      continue;
+    }
+    Pose turn = Pose::Identity();
+    turn.linear() = turn_z_to(joint.axis_J);
+    body_of_link_[j + 1] = static_cast<int>(bodies_.size());
+    X_BL_[j + 1] = turn.inverse();
+    bodies_.push_back({body_of_link_[parent], joint.dof, joint.type == JointType::prismatic,
+                       static_cast<float>(joint.ratio), static_cast<float>(joint.offset),
+                       transform_of(X_BJ * turn)});
+  }
+}
+
+void StateProgram::add_part(const CollisionModel& model, int link) {
+  const auto i = static_cast<std::size_t>(link);
+  const auto& surface = model.surfaces().links[i];
+  kernel::Part part{};
+  part.body = body_of_link_[i];
+  put(X_BL_[i] * surface.bound.center, part.center);
+  part.reach = static_cast<float>(surface.bound.radius);
+  part.body_in_link = transform_of(X_BL_[i].inverse());
+  part.field = view(surface.field);
+  add_balls(surface, X_BL_[i], part);
+  part_of_link_[i] = static_cast<int>(parts_.size());
+  parts_.push_back(part);
+}
+
+void StateProgram::add_balls(const HandSurfaces::LinkSurface& surface, const Pose& X_BL, kernel::Part& part) {
+  std::vector<Sphere> balls = surface.inner_spheres;
+  for (Sphere& s : balls) s.center = X_BL * s.center;
+  add_cores(balls, part);
+  const auto groups = group_spheres(balls, kernel::n_lanes);
+  part.first_pack = static_cast<int>(clusters_.size());
+  part.n_packs = static_cast<int>((groups.size() + kernel::n_lanes - 1) / kernel::n_lanes);
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const std::size_t lane = g % kernel::n_lanes;
+    if (lane == 0) {
+      kernel::ClusterPack empty{};
+      std::fill(std::begin(empty.core), std::end(empty.core), never);
+      std::fill(std::begin(empty.reach), std::end(empty.reach), never);
+      clusters_.push_back(empty);
+      kernel::BallPack no_balls{};
+      std::fill(std::begin(no_balls.radius), std::end(no_balls.radius), never);
+      balls_.insert(balls_.end(), kernel::n_lanes, no_balls);
+    }
+    const auto first = balls.begin() + groups[g].first;
+    const auto last = first + groups[g].count;
+    const Sphere& core =
+        *std::max_element(first, last, [](const Sphere& a, const Sphere& b) { return a.radius < b.radius; });
+    kernel::ClusterPack& cluster = clusters_.back();
+    kernel::BallPack& pack = balls_[balls_.size() - kernel::n_lanes + lane];
+    double reach = 0.0;
+    std::size_t k = 0;
+    for (auto s = first; s != last; ++s, ++k) {
+      reach = std::max(reach, (s->center - core.center).norm() + s->radius);
+      pack.x[k] = static_cast<float>(s->center.x());
+      pack.y[k] = static_cast<float>(s->center.y());
+      pack.z[k] = static_cast<float>(s->center.z());
+      pack.radius[k] = static_cast<float>(s->radius);
+    }
+    cluster.x[lane] = static_cast<float>(core.center.x());
+    cluster.y[lane] = static_cast<float>(core.center.y());
+    cluster.z[lane] = static_cast<float>(core.center.z());
+    cluster.core[lane] = static_cast<float>(core.radius);
+    cluster.reach[lane] = static_cast<float>(reach + cluster_slack);
+  }
+}
+
+// The largest ball, then those that are large and far from the ones before.
+void StateProgram::add_cores(const std::vector<Sphere>& balls_B, kernel::Part& part) {
+  part.first_core = static_cast<int>(cores_.size());
+  std::vector<const Sphere*> chosen;
+  const auto merit = [&](const Sphere& s) {
+    double away = chosen.empty() ? 0.0 : std::numeric_limits<double>::infinity();
+    for (const Sphere* c : chosen) away = std::min(away, (c->center - s.center).norm());
+    return s.radius + 0.5 * away;
+  };
+  while (static_cast<int>(chosen.size()) < std::min<int>(most_cores, static_cast<int>(balls_B.size()))) {
+    const auto best = std::max_element(balls_B.begin(), balls_B.end(),
+                                       [&](const Sphere& a, const Sphere& b) { return merit(a) < merit(b); });
+    chosen.push_back(&*best);
+    kernel::CoreBall core;
+    put(best->center, core.center);
+    core.radius = static_cast<float>(best->radius);
+    core.reach = 0.0f;
+    cores_.push_back(core);
+  }
+  for (const Sphere& s : balls_B) {
+    std::size_t nearest = 0;
+    for (std::size_t k = 1; k < chosen.size(); ++k)
+      if ((chosen[k]->center - s.center).norm() < (chosen[nearest]->center - s.center).norm()) nearest = k;
+    float& reach = cores_[static_cast<std::size_t>(part.first_core) + nearest].reach;
+    reach = std::max(reach, static_cast<float>((chosen[nearest]->center - s.center).norm() + s.radius));
+  }
+  part.n_cores = static_cast<int>(chosen.size());
+}
+
+// The part with fewer balls is looked up in the field of the other.
+void StateProgram::add_pairs(const HandModel& hand) {
+  for (const auto& [a, b] : hand.collision_pairs) {
+    const int pa = part_of_link_[static_cast<std::size_t>(a)];
+    const int pb = part_of_link_[static_cast<std::size_t>(b)];
+    if (pa < 0 || pb < 0) continue;
+    const bool fewer =
+        parts_[static_cast<std::size_t>(pa)].n_packs <= parts_[static_cast<std::size_t>(pb)].n_packs;
+    pairs_.push_back(fewer ? kernel::Pair{pa, pb} : kernel::Pair{pb, pa});
+  }
+}
+
+void StateProgram::add_contacts(const HandModel& hand) {
+  for (const VirtualContact& c : hand.virtual_contacts) {
+    const Pose& X_BL = X_BL_[static_cast<std::size_t>(c.link)];
+    kernel::Contact contact{};
+    contact.body = body_of_link_[static_cast<std::size_t>(c.link)];
+    put(X_BL * c.p_LC, contact.p);
+    put(X_BL.linear() * c.n_LC, contact.n);
+    contacts_.push_back(contact);
+  }
+}
+
+void StateProgram::add_posture_grid(const EigengraspSpace& postures, const kernel::Functions& functions,
+                                    int threads) {
+  if (postures.size() < 1 || postures.size() > 2 || pairs_.empty()) return;
+  constexpr int most_nodes = 65;
+  kernel::PostureGrid grid{};
+  double step[2] = {1.0, 1.0};
+  for (int i = 0; i < 2; ++i) {
+    grid.nodes[i] = i < postures.size() ? most_nodes : 1;
+    if (i >= postures.size()) continue;
+    const double range = std::max(postures[i].max - postures[i].min, 1e-6);
+    step[i] = range / (most_nodes - 1);
+    grid.low[i] = static_cast<float>(postures[i].min);
+    grid.per_amplitude[i] = static_cast<float>(1.0 / step[i]);
+  }
+  const std::size_t n_nodes =
+      static_cast<std::size_t>(grid.nodes[0]) * static_cast<std::size_t>(grid.nodes[1]);
+  posture_clearance_.assign(n_nodes, 0.0f);
+  parallel_for((n_nodes + kernel::n_lanes - 1) / kernel::n_lanes, threads, [&](std::size_t batch, int) {
+    const KernelWorkspace memory(program_);
+    const kernel::Workspace& work = memory.work();
+    const auto node_of = [&](int lane) {
+      return std::min(batch * kernel::n_lanes + static_cast<std::size_t>(lane), n_nodes - 1);
+    };
+    for (int lane = 0; lane < kernel::n_lanes; ++lane) {
+      const int node = static_cast<int>(node_of(lane));
+      const int place[2] = {node % grid.nodes[0], node / grid.nodes[0]};
+      for (int i = 0; i < postures.size(); ++i)
+        work.amplitudes[i * kernel::n_lanes + lane] =
+            static_cast<float>(postures[i].min + place[i] * step[i]);
+    }
+    functions.clear_itself(program_, work);
+    for (int lane = 0; lane < kernel::n_lanes; ++lane) posture_clearance_[node_of(lane)] = work.energy[lane];
+  });
+  grid.clearance = posture_clearance_.data();
+  program_.postures = grid;
+}
+
+kernel::FieldView StateProgram::view(const DistanceField& field) {
+  if (field.empty()) throw std::logic_error("the collision model was prepared without distance fields");
+  std::vector<float>& values = field_values_.emplace_back(field.fine().values);
+  const std::size_t n_fine = values.size();
+  values.insert(values.end(), field.coarse().values.begin(), field.coarse().values.end());
+  for (float& value : values) value = static_cast<float>(field.scale() * static_cast<double>(value));
+  return {values.data(), grid_view(field.fine(), field.scale(), 0),
+          grid_view(field.coarse(), field.scale(), n_fine)};
+}
+
+}  // namespace eigengrasp
