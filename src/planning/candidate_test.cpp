@@ -48,8 +48,10 @@ CandidateResult test_candidate(const CollisionModel& model, const GraspEnergy& e
   g.contacts = find_contacts(model, closed.X_OL);
   if (g.contacts.empty()) return result;
 
+  // One contact never closes.
   const auto points = points_of(g.contacts);
-  const WrenchSpaceQuality quality = compute_epsilon(points, energy.wrench_space());
+  const WrenchSpaceQuality quality =
+      points.size() < 2 ? WrenchSpaceQuality{} : compute_epsilon(points, energy.wrench_space());
   g.epsilon = quality.epsilon;
   g.form_closure = quality.form_closure;
   g.max_penetration = model.deepest_penetration(closed.X_OL);
@@ -59,8 +61,11 @@ CandidateResult test_candidate(const CollisionModel& model, const GraspEnergy& e
     return result;
   }
   result.outcome = quality.form_closure ? CandidateOutcome::form_closed : CandidateOutcome::not_closed;
-  if (quality.form_closure) g.volume = compute_volume(points, energy.wrench_space());
   return result;
+}
+
+void add_volume(const GraspEnergy& energy, Grasp& grasp) {
+  grasp.volume = grasp.form_closure ? compute_volume(points_of(grasp.contacts), energy.wrench_space()) : 0.0;
 }
 
 bool make_exactly_legal(const CollisionModel& model, const GraspEnergy& energy, PreGrasp& pregrasp) {
