@@ -12,6 +12,11 @@
 
 namespace eigengrasp {
 
+const char* title_of(PaperHand hand) {
+  constexpr std::array titles{"Barrett", "DLR", "Robonaut", "human"};
+  return titles.at(static_cast<std::size_t>(hand));
+}
+
 const char* title_of(SearchKind search) {
   return search == SearchKind::paper ? "the paper's search" : "our search";
 }
@@ -42,7 +47,7 @@ std::string cell_text(const Table2Cell& cell, int grasps) {
 }
 
 std::vector<std::string> own_row(const Table2& table, const Table2Part& part, PaperHand hand) {
-  std::vector<std::string> row{fmt::format("**{}**", name_of(hand))};
+  std::vector<std::string> row{fmt::format("**{}**", title_of(hand))};
   std::vector<double> means;
   for (const PaperObject object : table.options.objects) {
     const Table2Cell& cell = part.cell(hand, object);

@@ -52,7 +52,7 @@ TEST(Table2, TargetsAreJudgedByTheMeansAndTheCells) {
   // Above 13 in the paper: Robonaut on glass and flask 14.4, human on ashtray 14.6 and flask 13.4.
   EXPECT_EQ(
       missed[2].measured,
-      "robonaut on glass 13.0 < 14.4; robonaut on flask 13.0 < 14.4; human on ashtray 13.0 < 14.6; human "
+      "Robonaut on glass 13.0 < 14.4; Robonaut on flask 13.0 < 14.4; human on ashtray 13.0 < 14.6; human "
       "on flask 13.0 < 13.4");
   EXPECT_FALSE(missed[3].met);  // 8 < 11
   EXPECT_FALSE(missed[4].met);  // GraspIt! reached up to 16.3
@@ -71,7 +71,7 @@ TEST(Table2, PageHasEveryCellBesideItsReferences) {
   Table2 table = make_table({5, 8, 12, 15});
   table.parts[0].cells[2].runs[0].candidates.tested = 19;  // Barrett on glass
   const std::string page = table2_markdown(table, record, {{"table2/figure2.png", "Fig. 2", {}}});
-  EXPECT_NE(page.find("| **barrett** | **5.0 ± 1.4** | **5.0 ± 1.4** | **5.0 ± 1.4 of 19.5** |"),
+  EXPECT_NE(page.find("| **Barrett** | **5.0 ± 1.4** | **5.0 ± 1.4** | **5.0 ± 1.4 of 19.5** |"),
             std::string::npos)
       << page;
   EXPECT_NE(page.find("| paper | 2.8 | 1.0 | 5.8 | 3.4 | 1.4 | 4.0 | 3.1 |"), std::string::npos);
