@@ -161,6 +161,7 @@ void run_evaluate(const EvaluateChoice& choice) {
   CollisionModel::Options options;
   options.fast = !choice.exact;
   options.threads = choice.planner.options.threads;
+  options.cache = plan.cache;
   const CollisionModel model(scene, options);
   const GraspEnergy energy(model, plan);
   for (const GivenState& state : states) print_line(evaluate(model, energy, state, choice));

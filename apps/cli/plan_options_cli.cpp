@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "cli/scene_options.hpp"
 #include "eigengrasp/core/error.hpp"
 
 namespace eigengrasp::cli {
@@ -91,6 +92,8 @@ PlanOptions understand(const PlannerChoice& choice, const HandModel& hand) {
     if (!choice.iterations_given) o.iterations = 0;
   }
   o.amplitudes = amplitude_count(choice.amplitudes, hand);
+  if (const auto folder = user_cache_folder(); !folder.empty())
+    o.cache = std::make_shared<PreparationCache>(PreparationCacheOptions{.folder = folder, .log = warn});
   return o;
 }
 

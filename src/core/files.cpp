@@ -4,6 +4,7 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -37,7 +38,8 @@ std::string read_text_file(const fs::path& file) {
 void write_file_atomically(const fs::path& file, std::string_view content) {
   std::error_code ec;
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), ec);
-  const fs::path beside = file.string() + fmt::format(".{}.tmp", ::getpid());
+  static std::atomic<int> counter{0};  // threads may write the same file
+  const fs::path beside = file.string() + fmt::format(".{}.{}.tmp", ::getpid(), counter++);
   FilePtr out(std::fopen(beside.c_str(), "wb"));
   if (!out) fail("{}: cannot be written ({})", file.string(), std::strerror(errno));
   const bool written = std::fwrite(content.data(), 1, content.size(), out.get()) == content.size() &&

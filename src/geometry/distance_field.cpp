@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "eigengrasp/core/parallel.hpp"
+#include "geometry/grid_distances.hpp"
 
 namespace eigengrasp {
 
@@ -59,31 +59,6 @@ FieldGrid make_grid(const Box& surface, double margin, double cell, const Box& r
 
 Vec3 node_position(const FieldGrid& grid, int x, int y, int z) {
   return grid.origin + grid.cell * Vec3(x, y, z);
-}
-
-/// Unsigned distances, row by row: the triangle nearest to a node's neighbour is nearly always the nearest,
-/// or bounds the search.
-void fill_distances(const MeshBvh& bvh, FieldGrid& grid, int threads) {
-  parallel_for(static_cast<std::size_t>(grid.nodes.z()), threads, [&](std::size_t zi, int) {
-    const auto nx = static_cast<std::size_t>(grid.nodes.x());
-    const auto ny = static_cast<std::size_t>(grid.nodes.y());
-    int row_start = 0;
-    for (std::size_t y = 0; y < ny; ++y) {
-      int nearest = row_start;
-      float* row = grid.values.data() + (zi * ny + y) * nx;
-      for (std::size_t x = 0; x < nx; ++x) {
-        const Vec3 p = node_position(grid, static_cast<int>(x), static_cast<int>(y), static_cast<int>(zi));
-        double distance = (closest_point_on_triangle(bvh.corners(nearest), p) - p).norm();
-        const ClosestPoint nearer = bvh.closest_point(p, distance);
-        if (nearer.triangle >= 0) {
-          nearest = nearer.triangle;
-          distance = nearer.distance;
-        }
-        row[x] = static_cast<float>(distance);
-        if (x == 0) row_start = nearest;
-      }
-    }
-  });
 }
 
 /// Gives the nodes inside a negative sign. Neighbours whose distances sum to more than the step between them
@@ -171,25 +146,49 @@ FieldSample FieldGrid::sample(const Vec3& p) const {
   return s;
 }
 
+const std::shared_ptr<const DistanceField::Grids>& DistanceField::no_grids() {
+  static const auto none = std::make_shared<const Grids>();
+  return none;
+}
+
 DistanceField::DistanceField(const MeshBvh& bvh, const DistanceFieldOptions& options) {
   if (bvh.empty()) return;
   const Box& box = bvh.box();
   const double largest = box.size().maxCoeff();
   const double cell = options.cell > 0.0 ? options.cell : std::clamp(largest / 64.0, 0.001, 0.003);
-  fine_ = make_grid(box, options.margin, cell, options.region);
-  coarse_ = make_grid(box, options.far_margin, 0.008, options.region);
-  for (FieldGrid* grid : {&fine_, &coarse_}) {
-    fill_distances(bvh, *grid, options.threads);
+  auto grids = std::make_shared<Grids>();
+  grids->fine = make_grid(box, options.margin, cell, options.region);
+  grids->coarse = make_grid(box, options.far_margin, 0.008, options.region);
+  for (FieldGrid* grid : {&grids->fine, &grids->coarse}) {
+    fill_unsigned_distances(bvh, *grid, options.threads);
     SignFill(bvh, *grid).run();
   }
+  grids_ = std::move(grids);
+}
+
+DistanceField::DistanceField(std::shared_ptr<const Grids> grids)
+    : grids_(grids ? std::move(grids) : no_grids()) {}
+
+DistanceField DistanceField::scaled(double factor) const {
+  DistanceField field = *this;
+  field.scale_ *= factor;
+  field.per_scale_ = 1.0 / field.scale_;
+  return field;
 }
 
 FieldSample DistanceField::sample(const Vec3& p) const {
-  if (fine_.contains(p)) return fine_.sample(p);
-  if (coarse_.contains(p)) return coarse_.sample(p);
-  const Box box = coarse_.box();
+  FieldSample s = sample_unscaled(p * per_scale_);
+  s.distance *= scale_;
+  return s;
+}
+
+FieldSample DistanceField::sample_unscaled(const Vec3& p) const {
+  const FieldGrid& coarse_grid = coarse();
+  if (fine().contains(p)) return fine().sample(p);
+  if (coarse_grid.contains(p)) return coarse_grid.sample(p);
+  const Box box = coarse_grid.box();
   const Vec3 q = p.cwiseMax(box.min).cwiseMin(box.max);
-  const FieldSample at_border = coarse_.sample(q);
+  const FieldSample at_border = coarse_grid.sample(q);
   const Vec3 nearest = q - at_border.distance * at_border.gradient.normalized();
   FieldSample s;
   s.distance = (p - nearest).norm();
@@ -197,10 +196,11 @@ FieldSample DistanceField::sample(const Vec3& p) const {
   return s;
 }
 
-double DistanceField::distance(const Vec3& p) const {
-  if (fine_.contains(p)) return fine_.value(p);
-  if (coarse_.contains(p)) return coarse_.value(p);
-  return sample(p).distance;
+double DistanceField::distance(const Vec3& p_scaled) const {
+  const Vec3 p = p_scaled * per_scale_;
+  if (fine().contains(p)) return scale_ * fine().value(p);
+  if (coarse().contains(p)) return scale_ * coarse().value(p);
+  return scale_ * sample_unscaled(p).distance;
 }
 
 }  // namespace eigengrasp

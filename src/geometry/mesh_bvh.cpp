@@ -58,6 +58,7 @@ MeshBvh::MeshBvh(const TriangleMesh& mesh) {
   build(0, 0, static_cast<int>(n), centers);
   box_ = nodes_[0].box;
   compute_dipoles();
+  compute_oriented_boxes();
 }
 
 void MeshBvh::build(int node, int first, int count, const std::vector<Vec3>& centers) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "eigengrasp/core/content_hash.hpp"
 #include "eigengrasp/core/error.hpp"
 #include "eigengrasp/geometry/mass_properties.hpp"
 
@@ -22,9 +23,28 @@ ObjectModel make_object(std::string name, TriangleMesh mesh, const Vec3* center_
     for (int k = 0; k < 3; ++k)
       object.max_radius = std::max(object.max_radius, (mesh.corner(t, k) - object.center_of_mass).norm());
   object.bvh = MeshBvh(mesh);
+  object.content_key = content_key_of(mesh);
   object.name = std::move(name);
   object.mesh = std::move(mesh);
   return object;
+}
+
+ObjectModel rescaled(const ObjectModel& object, double factor) {
+  ObjectModel result = object;
+  if (!result.at_one) result.at_one = std::make_shared<const MeshBvh>(object.bvh);
+  transform(result.mesh, Pose::Identity(), factor);
+  result.bvh = MeshBvh(result.mesh);
+  result.center_of_mass *= factor;
+  result.max_radius *= factor;
+  result.scale *= factor;
+  return result;
+}
+
+std::string content_key_of(const TriangleMesh& mesh) {
+  const auto bytes = [](const auto& values) {
+    return std::string_view(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(values[0]));
+  };
+  return content_hash(content_hash(bytes(mesh.vertices)) + content_hash(bytes(mesh.triangles)));
 }
 
 }  // namespace eigengrasp

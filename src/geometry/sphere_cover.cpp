@@ -3,15 +3,9 @@
 #include "eigengrasp/geometry/sphere_cover.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <set>
 
 namespace eigengrasp {
-
-namespace {
-constexpr std::size_t most_candidates = 1500;  // balls to choose from
-}
 
 SurfaceSamples sample_surface(const TriangleMesh& mesh, double spacing) {
   SurfaceSamples samples;
@@ -32,115 +26,6 @@ SurfaceSamples sample_surface(const TriangleMesh& mesh, double spacing) {
         }
   }
   return samples;
-}
-
-namespace {
-
-/// Largest ball inside the surface that touches it at p; radius 0 where none was found.
-Sphere medial_ball(const MeshBvh& bvh, const Vec3& p, const Vec3& n, double largest) {
-  double r = largest;
-  for (int i = 0; i < 40; ++i) {
-    const Vec3 c = p - r * n;
-    const ClosestPoint q = bvh.closest_point(c, r * (1.0 - 1e-6) - 1e-7);
-    if (q.triangle < 0) return {c, r};
-    const Vec3 d = p - q.point;
-    const double along = 2.0 * n.dot(d);
-    if (!(along > 1e-12)) return {};
-    const double smaller = d.squaredNorm() / along;
-    if (!(smaller < r)) return {c, q.distance};
-    r = smaller;
-  }
-  return {p - r * n, r};
-}
-
-/// Keeps one sample in each cell of the given size, the first.
-SurfaceSamples thin_out(const SurfaceSamples& samples, double cell) {
-  SurfaceSamples kept;
-  std::set<std::array<long, 4>> taken;
-  for (std::size_t i = 0; i < samples.points.size(); ++i) {
-    const Vec3& p = samples.points[i];
-    Eigen::Index axis = 0;  // the two sides of a thin plate are not one
-    samples.normals[i].cwiseAbs().maxCoeff(&axis);
-    const long side = samples.normals[i][axis] < 0.0 ? -1 - axis : 1 + axis;
-    if (!taken.insert({std::lround(p.x() / cell), std::lround(p.y() / cell), std::lround(p.z() / cell), side})
-             .second)
-      continue;
-    kept.points.push_back(p);
-    kept.normals.push_back(samples.normals[i]);
-  }
-  return kept;
-}
-
-struct Candidate {
-  Sphere ball;
-  std::vector<int> reaches;  ///< samples within the tolerance
-};
-
-std::vector<int> reached_samples(const Sphere& ball, double tolerance, const std::vector<Vec3>& points) {
-  std::vector<int> reached;
-  const double reach2 = (ball.radius + tolerance) * (ball.radius + tolerance);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if ((points[i] - ball.center).squaredNorm() <= reach2) reached.push_back(static_cast<int>(i));
-  return reached;
-}
-
-/// Greedy set cover with lazily updated gains.
-std::vector<Sphere> choose(std::vector<Candidate>& candidates, std::size_t n_samples) {
-  const auto fewer = [](const std::pair<int, int>& a, const std::pair<int, int>& b) {
-    return a.first != b.first ? a.first < b.first : a.second > b.second;
-  };
-  std::vector<std::pair<int, int>> heap;
-  for (std::size_t i = 0; i < candidates.size(); ++i)
-    heap.emplace_back(static_cast<int>(candidates[i].reaches.size()), static_cast<int>(i));
-  std::make_heap(heap.begin(), heap.end(), fewer);
-  std::vector<bool> reached(n_samples, false);
-  std::vector<Sphere> chosen;
-  while (!heap.empty()) {
-    std::pop_heap(heap.begin(), heap.end(), fewer);
-    const auto [promised, index] = heap.back();
-    heap.pop_back();
-    const Candidate& c = candidates[static_cast<std::size_t>(index)];
-    const auto gain = static_cast<int>(std::count_if(
-        c.reaches.begin(), c.reaches.end(), [&](int s) { return !reached[static_cast<std::size_t>(s)]; }));
-    if (gain == 0) continue;
-    if (gain < promised) {
-      heap.emplace_back(gain, index);
-      std::push_heap(heap.begin(), heap.end(), fewer);
-      continue;
-    }
-    for (int s : c.reaches) reached[static_cast<std::size_t>(s)] = true;
-    chosen.push_back(c.ball);
-  }
-  return chosen;
-}
-
-}  // namespace
-
-std::vector<Sphere> cover_with_inner_spheres(const TriangleMesh& mesh, const MeshBvh& bvh, double tolerance) {
-  if (mesh.empty()) return {};
-  const double spacing = std::max(0.0012, std::sqrt(surface_area(mesh) / 3000.0));
-  const SurfaceSamples samples = thin_out(sample_surface(mesh, spacing), spacing);
-  const std::size_t stride = 1 + samples.points.size() / most_candidates;
-  const double largest = 0.5 * bounding_box(mesh).diagonal();
-  std::vector<Candidate> candidates;
-  for (std::size_t i = 0; i < samples.points.size(); i += stride) {
-    Vec3 normal = samples.normals[i];
-    const Vec3& p = samples.points[i];
-    if (!bvh.contains(p - 1e-5 * normal)) {
-      if (!bvh.contains(p + 1e-5 * normal)) continue;  // a surface inside the solid, or a loose sheet
-      normal = -normal;
-    }
-    Sphere ball = medial_ball(bvh, p, normal, largest);
-    if (ball.radius < tolerance || !bvh.contains(ball.center)) {
-      ball.center = p - 0.5 * tolerance * normal;
-      ball.radius = std::clamp(-bvh.signed_distance(ball.center), 0.0, 0.5 * tolerance);
-    }
-    candidates.push_back({ball, reached_samples(ball, tolerance, samples.points)});
-  }
-  std::vector<Sphere> spheres = choose(candidates, samples.points.size());
-  std::stable_sort(spheres.begin(), spheres.end(),
-                   [](const Sphere& a, const Sphere& b) { return a.radius > b.radius; });
-  return spheres;
 }
 
 namespace {

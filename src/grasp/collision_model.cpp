@@ -23,7 +23,17 @@ const char* describe(Legality legality) {
   throw std::logic_error("unknown legality");
 }
 
-HandSurfaces::HandSurfaces(const HandModel& hand, double cover_tolerance, int threads)
+namespace {
+
+DistanceField make_field(const TriangleMesh& mesh, const MeshBvh& bvh, const DistanceFieldOptions& options,
+                         PreparationCache* cache) {
+  return cache != nullptr ? cache->field(mesh, bvh, options) : DistanceField(bvh, options);
+}
+
+}  // namespace
+
+HandSurfaces::HandSurfaces(const HandModel& hand, double cover_tolerance, int threads,
+                           PreparationCache* cache)
     : links(hand.links.size()) {
   parallel_for(links.size(), threads, [&](std::size_t i, int) {
     const TriangleMesh& mesh = hand.links[i].mesh;
@@ -31,25 +41,27 @@ HandSurfaces::HandSurfaces(const HandModel& hand, double cover_tolerance, int th
     links[i].bvh = MeshBvh(mesh);
     links[i].bound = bounding_sphere(mesh.vertices);
     if (cover_tolerance <= 0.0) return;
-    links[i].inner_spheres = cover_with_inner_spheres(mesh, links[i].bvh, cover_tolerance);
+    links[i].inner_spheres = cache != nullptr ? cache->inner_spheres(mesh, links[i].bvh, cover_tolerance)
+                                              : cover_with_inner_spheres(mesh, links[i].bvh, cover_tolerance);
     links[i].groups = group_spheres(links[i].inner_spheres, 8);
     DistanceFieldOptions field;
     field.cell = 0.0015;
     field.margin = 0.008;
     field.far_margin = 0.032;
     field.threads = 1;
-    links[i].field = DistanceField(links[i].bvh, field);
+    links[i].field = make_field(mesh, links[i].bvh, field, cache);
   });
 }
 
 CollisionModel::CollisionModel(Scene scene, const Options& options)
     : scene_(std::move(scene)),
       options_(options),
-      surfaces_(*scene_.hand, options.fast ? options.cover_tolerance : 0.0, options.threads) {
+      surfaces_(*scene_.hand, options.fast ? options.cover_tolerance : 0.0, options.threads,
+                options.cache.get()) {
   if (!options.fast) return;
   DistanceFieldOptions field;
   field.threads = options.threads;
-  object_field_ = DistanceField(scene_.object->bvh, field);
+  object_field_ = make_object_field(*scene_.object, field, options.cache.get());
   for (const Obstacle& obstacle : scene_.obstacles) {
     // Only the part near the object can matter.
     DistanceFieldOptions clipped = field;
@@ -59,7 +71,8 @@ CollisionModel::CollisionModel(Scene scene, const Options& options)
     clipped.region = {center - Vec3::Constant(reach), center + Vec3::Constant(reach)};
     clipped.cell = 0.005;
     clipped.far_margin = reach;
-    obstacle_fields_.emplace_back(obstacle.model->bvh, clipped);
+    obstacle_fields_.push_back(
+        make_field(obstacle.model->mesh, obstacle.model->bvh, clipped, options.cache.get()));
   }
 }
 
@@ -114,8 +127,7 @@ bool CollisionModel::link_hits_field(int link, const Pose& X_FL, const DistanceF
 bool CollisionModel::link_hits_obstacle(std::size_t obstacle, int link, const Pose& X_BL) const {
   const auto& surface = surfaces_.links[static_cast<std::size_t>(link)];
   const DistanceField& field = obstacle_fields_[obstacle];
-  if (surface.empty() || field.coarse().contains(X_BL * surface.bound.center))
-    return link_hits_field(link, X_BL, field);
+  if (surface.empty() || field.covers(X_BL * surface.bound.center)) return link_hits_field(link, X_BL, field);
   const ObjectOverlap o = overlap(scene_.obstacles[obstacle].model->bvh, surface, X_BL);
   return o.crosses || o.contained;
 }

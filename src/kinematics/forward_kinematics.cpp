@@ -57,20 +57,24 @@ VecX posture_of_joints(const HandModel& hand, const VecX& joints) {
   return posture;
 }
 
+Pose link_pose(const HandJoint& joint, double value, const Pose& X_OP) {
+  Pose X = X_OP * joint.X_PJ;
+  if (joint.type == JointType::revolute) {
+    X.linear() = (X.linear() * rotation_about(joint.axis_J, value)).eval();
+  } else if (joint.type == JointType::prismatic) {
+    X.translation() += X.linear() * (value * joint.axis_J);
+  }
+  return X;
+}
+
 void compute_link_poses(const HandModel& hand, const VecX& joints, const Pose& X_OH,
                         std::vector<Pose>& X_OL) {
   X_OL.resize(hand.links.size());
   X_OL[0] = X_OH;
   for (std::size_t j = 0; j < hand.joints.size(); ++j) {
     const HandJoint& joint = hand.joints[j];
-    Pose& X = X_OL[j + 1];
-    X = X_OL[static_cast<std::size_t>(joint.parent_link)] * joint.X_PJ;
-    const double value = joints[static_cast<Eigen::Index>(j)];
-    if (joint.type == JointType::revolute) {
-      X.linear() = (X.linear() * rotation_about(joint.axis_J, value)).eval();
-    } else if (joint.type == JointType::prismatic) {
-      X.translation() += X.linear() * (value * joint.axis_J);
-    }
+    X_OL[j + 1] = link_pose(joint, joints[static_cast<Eigen::Index>(j)],
+                            X_OL[static_cast<std::size_t>(joint.parent_link)]);
   }
 }
 

@@ -11,12 +11,17 @@ namespace eigengrasp {
 
 namespace {
 
+/// Scales that share a distance field: its cells and margins are made for the object at scale 1.
+bool shares_field(double scale) {
+  return scale >= 0.5 && scale <= 2.0;
+}
+
 ObjectModel load_by_kind(const std::filesystem::path& file, const ObjectReadOptions& options) {
   const std::string ending = lower_extension(file.string());
   const bool inventor = ending == ".iv" || ending == ".wrl" || ending == ".vrml";
   const bool graspit = ending == ".xml";
   const std::string units = !options.units.empty() ? options.units : inventor || graspit ? "mm" : "m";
-  const double scale = unit_length(units) * options.scale;
+  const double scale = unit_length(units) * (shares_field(options.scale) ? 1.0 : options.scale);
   if (graspit) return load_graspit_body(file, scale);
   if (inventor) return make_object(file.stem().string(), load_inventor(file, scale));
   if (is_mesh_file(file)) return make_object(file.stem().string(), load_mesh(file, {.scale = scale}));
@@ -36,6 +41,7 @@ ObjectModel load_object(const std::filesystem::path& file, const ObjectReadOptio
     fail("the scale is {}, expected a positive number", options.scale);
   }
   ObjectModel object = load_by_kind(file, options);
+  if (shares_field(options.scale) && options.scale != 1.0) object = rescaled(object, options.scale);
   object.source = file;
   if (!options.name.empty()) object.name = options.name;
   if (!options.material.empty()) object.material = options.material;

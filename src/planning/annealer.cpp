@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "eigengrasp/kinematics/forward_kinematics.hpp"
+#include "planning/kernel_workspace.hpp"
+#include "planning/lane_state.hpp"
 
 namespace eigengrasp {
 
@@ -28,108 +30,183 @@ SearchSpace::SearchSpace(const Scene& scene, int n_amplitudes)
   half_range = 0.5 * box.size() + Vec3::Constant(0.5 * hand_reach(*scene.hand));
 }
 
-AnnealingChain::AnnealingChain(const CollisionModel& model, const GraspEnergy& energy,
-                               const SearchSpace& space, const AnnealingSchedule& schedule, PreGraspList list,
-                               RandomStream random, int chain)
-    : model_(model),
-      energy_function_(energy),
-      space_(space),
-      schedule_(schedule),
+Pose hand_pose(const HandModel& hand, const HandState& state) {
+  return make_pose(state.q_OA, state.p_OA) * Eigen::Translation3d(-hand.approach_point_H);
+}
+
+VecX hand_posture(const HandModel& hand, const SearchSpace& space, const HandState& state) {
+  return clamp_posture(hand, space.postures.embed(state.amplitudes));
+}
+
+namespace {
+
+constexpr int n_lanes = kernel::n_lanes;
+constexpr float no_energy = 1e8f;  ///< of a start: the first legal neighbour is taken
+
+kernel::SearchBox search_box(const SearchSpace& space, std::vector<kernel::Range>& ranges) {
+  for (int i = 0; i < space.postures.size(); ++i) {
+    const Eigengrasp& e = space.postures[i];
+    ranges.push_back({static_cast<float>(e.min), static_cast<float>(e.max),
+                      static_cast<float>(space.max_amplitude_jump * (e.max - e.min))});
+  }
+  kernel::SearchBox box{};
+  for (int i = 0; i < 3; ++i) {
+    box.low[i] = static_cast<float>(space.center_O[i] - space.half_range[i]);
+    box.high[i] = static_cast<float>(space.center_O[i] + space.half_range[i]);
+  }
+  box.max_shift = static_cast<float>(space.max_shift);
+  box.max_turn = static_cast<float>(space.max_turn);
+  box.n_amplitudes = space.postures.size();
+  box.amplitudes = ranges.data();
+  return box;
+}
+
+}  // namespace
+
+struct Annealer::Lanes {
+  explicit Lanes(const Task& task)
+      : batch(task.evaluator), memory(task.space.postures.size()), box(search_box(task.space, ranges)) {}
+
+  StateRows proposals() const {
+    const kernel::Workspace& work = batch.memory_->work();
+    return {work.position, work.quaternion, work.amplitudes};
+  }
+  StateRows current() const {
+    const kernel::Chains& chains = memory.chains();
+    return {chains.position, chains.quaternion, chains.amplitudes};
+  }
+
+  StateEvaluator::Batch batch;
+  KernelChains memory;
+  std::vector<kernel::Range> ranges;
+  kernel::SearchBox box;
+  std::vector<ContactApproach> approaches;
+  std::vector<Pose> X_OL;
+};
+
+Annealer::Annealer(const Task& task, std::uint64_t number, int n_chains, PreGraspList list)
+    : task_(task),
+      n_chains_(n_chains),
+      number_(static_cast<int>(number)),
       list_(std::move(list)),
-      random_(random),
-      chain_(chain) {
+      random_({task.seed, number}),
+      lanes_(std::make_unique<Lanes>(task)) {
+  for (int i = 0; i < 4 * n_lanes; ++i)
+    lanes_->memory.chains().random[i] = static_cast<std::int32_t>(random_() >> 32);
   restart();
 }
 
-void AnnealingChain::restart() {
-  state_ = random_state();
-  energy_ = 1e8;
+Annealer::~Annealer() = default;
+Annealer::Annealer(Annealer&&) noexcept = default;
+
+void Annealer::restart() {
+  for (int c = 0; c < n_chains_; ++c) restart(c, random_state());
 }
 
-AnnealingChain::State AnnealingChain::random_state() {
-  State s;
+void Annealer::restart(int chain, const HandState& state) {
+  const int each = n_lanes / n_chains_;
+  for (int lane = chain * each; lane < (chain + 1) * each; ++lane) {
+    put_lane(state, lane, lanes_->current());
+    lanes_->memory.chains().energy[lane] = no_energy;
+  }
+}
+
+HandState Annealer::random_state() {
+  const SearchSpace& space = task_.space;
+  HandState s;
   for (Eigen::Index i = 0; i < 3; ++i)
-    s.p_OA[i] = space_.center_O[i] + space_.half_range[i] * random_.uniform(-1.0, 1.0);
+    s.p_OA[i] = space.center_O[i] + space.half_range[i] * random_.uniform(-1.0, 1.0);
   s.q_OA.coeffs() = Eigen::Vector4d(random_.normal(), random_.normal(), random_.normal(), random_.normal());
   s.q_OA.normalize();
-  s.amplitudes = VecX::Zero(space_.postures.size());
+  s.amplitudes = VecX::Zero(space.postures.size());
   return s;
 }
 
-// Every variable jumps, each for itself; a jump beyond a range is drawn again.
-AnnealingChain::State AnnealingChain::neighbor(const State& state, double temperature) {
-  const auto jump = [&](double value, double max_jump, double low, double high) {
-    for (int attempt = 0; attempt < 100; ++attempt) {
-      const double moved = value + max_jump * neighbor_jump(temperature, random_.uniform());
-      if (moved >= low && moved <= high) return moved;
-    }
-    return std::clamp(value, low, high);
-  };
-  State s = state;
-  for (Eigen::Index i = 0; i < 3; ++i)
-    s.p_OA[i] = jump(state.p_OA[i], space_.max_shift, space_.center_O[i] - space_.half_range[i],
-                     space_.center_O[i] + space_.half_range[i]);
-  Vec3 turn;
-  for (Eigen::Index i = 0; i < 3; ++i)
-    turn[i] = space_.max_turn * neighbor_jump(temperature, random_.uniform());
-  const double angle = turn.norm();
-  if (angle > 0.0) s.q_OA = (s.q_OA * Eigen::AngleAxisd(angle, turn / angle)).normalized();
-  for (Eigen::Index i = 0; i < s.amplitudes.size(); ++i) {
-    const Eigengrasp& e = space_.postures[static_cast<int>(i)];
-    s.amplitudes[i] = jump(state.amplitudes[i], space_.max_amplitude_jump * (e.max - e.min), e.min, e.max);
+void Annealer::set_temperatures(double progress) {
+  const kernel::Chains& chains = lanes_->memory.chains();
+  const double t = task_.schedule.temperature(progress);
+  std::fill_n(chains.jump_temperature, n_lanes, static_cast<float>(t));
+  std::fill_n(chains.log_range, n_lanes, static_cast<float>(std::log1p(1.0 / t)));
+  std::fill_n(chains.acceptance_temperature, n_lanes,
+              static_cast<float>(task_.schedule.acceptance_temperature(progress)));
+}
+
+void Annealer::step(double progress, std::int64_t most) {
+  const kernel::Workspace& work = lanes_->batch.memory_->work();
+  const kernel::Chains& chains = lanes_->memory.chains();
+  set_temperatures(progress);
+  task_.evaluator.functions_->propose(lanes_->box, chains, work);
+  if (task_.energy.kind() == EnergyKind::wrench) {
+    judge_by_wrenches();
+  } else {
+    task_.evaluator.evaluate(lanes_->batch);
   }
-  return s;
+  const int each = n_lanes / n_chains_;
+  for (int first = 0; first < n_lanes; first += each)
+    for (int lane = first; lane < first + each && most > 0; ++lane, --most) {
+      const auto verdict = lanes_->batch.verdict(lane);
+      count(verdict);
+      if (verdict != StateEvaluator::Verdict::legal) continue;
+      for (int k = first; k < first + each; ++k) {
+        copy_lane(lanes_->proposals(), lane, lanes_->current(), k, task_.space.postures.size());
+        chains.energy[k] = work.energy[lane];
+      }
+      remember(lane);
+      break;
+    }
 }
 
-Pose AnnealingChain::hand_pose(const State& state) const {
-  Pose X_OA = make_pose(state.q_OA, state.p_OA);
-  return X_OA * Eigen::Translation3d(-model_.scene().hand->approach_point_H);
+/// Legality in lanes; then the energy of those that are legal, one by one.
+void Annealer::judge_by_wrenches() {
+  const HandModel& hand = *task_.model.scene().hand;
+  const kernel::Workspace& work = lanes_->batch.memory_->work();
+  float thresholds[n_lanes];
+  std::copy_n(work.threshold, n_lanes, thresholds);
+  std::fill_n(work.threshold, n_lanes, std::numeric_limits<float>::infinity());
+  task_.evaluator.evaluate(lanes_->batch);
+  for (int lane = 0; lane < n_lanes; ++lane) {
+    if (lanes_->batch.verdict(lane) != StateEvaluator::Verdict::legal) continue;
+    const HandState state = lanes_->batch.state(lane);
+    compute_link_poses(hand, joint_values(hand, hand_posture(hand, task_.space, state)),
+                       hand_pose(hand, state), lanes_->X_OL);
+    work.energy[lane] =
+        static_cast<float>(task_.energy.evaluate(lanes_->X_OL, DistanceSource::field, lanes_->approaches));
+    if (!(work.energy[lane] < thresholds[lane])) work.verdict[lane] = kernel::energy_too_high;
+  }
 }
 
-/// p = p_m + sum a_i e_i, then forward kinematics, then: is the hand free?
-Legality AnnealingChain::place(const State& state) {
-  const HandModel& hand = *model_.scene().hand;
-  dofs_ = clamp_posture(hand, space_.postures.embed(state.amplitudes));
-  joints_ = joint_values(hand, dofs_);
-  compute_link_poses(hand, joints_, hand_pose(state), X_OL_);
-  return model_.check_fast(X_OL_);
-}
-
-void AnnealingChain::step(double progress) {
-  const State next = neighbor(state_, schedule_.temperature(progress));
+void Annealer::count(StateEvaluator::Verdict verdict) {
   ++counts_.evaluated;
-  switch (place(next)) {
-    case Legality::hits_object:
+  switch (verdict) {
+    case StateEvaluator::Verdict::hits_object:
       ++counts_.hit_object;
-      return;
-    case Legality::hits_itself:
+      break;
+    case StateEvaluator::Verdict::hits_itself:
       ++counts_.hit_itself;
-      return;
-    case Legality::hits_obstacle:
+      break;
+    case StateEvaluator::Verdict::hits_obstacle:
       ++counts_.hit_obstacle;
-      return;
-    case Legality::legal:
+      break;
+    case StateEvaluator::Verdict::legal:
+    case StateEvaluator::Verdict::energy_too_high:
       ++counts_.legal;
       break;
   }
-  const double energy = energy_function_.evaluate(X_OL_, DistanceSource::field, approaches_);
-  const double rise = energy - energy_;
-  if (rise >= 0.0 && random_.uniform() >= std::exp(-rise / schedule_.acceptance_temperature(progress)))
-    return;
-  state_ = next;
-  energy_ = energy;
-  remember(next, energy);
 }
 
-void AnnealingChain::remember(const State& state, double energy) {
+void Annealer::remember(int lane) {
+  const double energy = lanes_->batch.energy(lane);
   const bool record = energy < best_energy_;
   if (!record && !list_.admits(energy)) return;
-  const Pose X_OH = hand_pose(state);
+  const HandModel& hand = *task_.model.scene().hand;
+  const HandState state = lanes_->batch.state(lane);
+  PreGrasp found{hand_pose(hand, state),   state.amplitudes, hand_posture(hand, task_.space, state), energy,
+                 number_ * n_lanes + lane, counts_.evaluated};
   if (record) {
     best_energy_ = energy;
-    milestones_.push_back({counts_.evaluated, energy, X_OH, dofs_});
+    milestones_.push_back({counts_.evaluated, energy, found.X_OH, found.dofs});
   }
-  if (list_.admits(energy)) list_.add({X_OH, state.amplitudes, dofs_, energy, chain_, counts_.evaluated});
+  if (list_.admits(energy)) list_.add(std::move(found));
 }
 
 }  // namespace eigengrasp

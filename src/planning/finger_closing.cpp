@@ -6,279 +6,273 @@
 #include <cmath>
 #include <limits>
 
+#include "eigengrasp/geometry/mesh_motion.hpp"
 #include "eigengrasp/grasp/contact_finder.hpp"
 #include "eigengrasp/kinematics/forward_kinematics.hpp"
+#include "planning/closing_motion.hpp"
 
 namespace eigengrasp {
 
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double largest_turn = 0.1;  // [rad or m] of a joint in one step: keeps the speed bound valid
-constexpr double speed_reserve =
-    1.1;  // a link moves away from an axis by at most largest_turn times its clearance
 
 /// Two things that may touch: a link and the object, an obstacle, or another link.
 struct Pair {
   enum class Kind { object, obstacle, links } kind;
   int link;
-  int other;               ///< obstacle or second link
-  double clearance = 0.0;  ///< lower bound [m]
-  bool fresh = false;      ///< the clearance was computed at the present posture
+  int other;                ///< obstacle or second link
+  double free_until = 0.0;  ///< time up to which the two are sure to be apart [s]
   PairHint hint = {};
-  double speed = 0.0;  ///< bound of the relative speed of surface points [m/s]
+  int first_joint = 0;  ///< of its joints in the list of all pairs
+  int n_joints = 0;
 };
 
+/// A joint between the two surfaces of a pair, from the second one outwards to the link.
+struct PairJoint {
+  int joint;
+  double sign;   ///< -1 where it moves the second surface and not the link
+  double reach;  ///< from its frame's origin to any point of the link, in any posture [m]
+};
+
+/// Each pair is looked at when the time runs out for which it was last found to be apart, and never else: a
+/// free time holds whatever joints are stopped meanwhile.
 class FingerCloser {
  public:
   FingerCloser(const CollisionModel& model, const Pose& X_OH, const VecX& posture,
                const ClosingOptions& options)
-      : model_(model), hand_(*model.scene().hand), X_OH_(X_OH), options_(options) {
-    joints_ = joint_values(hand_, clamp_posture(hand_, posture));
-    stopped_.assign(hand_.joints.size(), false);
+      : model_(model),
+        hand_(*model.scene().hand),
+        X_OH_(X_OH),
+        options_(options),
+        motion_(hand_, X_OH, posture) {
+    if (motion_.fastest() > 0.0) tick_ = tick_turn / motion_.fastest();
+    measure_hand();
     list_pairs();
-    place(joints_);
   }
 
   ClosedHand run() {
     ClosedHand result;
-    for (Pair& p : pairs_) measure(p);
-    result.started_in_collision =
-        std::any_of(pairs_.begin(), pairs_.end(), [](const Pair& p) { return p.clearance <= 0.0; });
-    if (!result.started_in_collision) {
-      while (result.steps < options_.max_steps && advance()) ++result.steps;
-    }
-    result.joints = joints_;
-    result.dofs = posture_of_joints(hand_, joints_);
-    result.X_OL = X_OL_;
+    for (Pair& p : pairs_)
+      if (look(p, 0.0).distance <= 0.0) result.started_in_collision = true;
+    result.joints = motion_.joint_values(result.started_in_collision ? 0.0 : close(result.steps));
+    result.dofs = posture_of_joints(hand_, result.joints);
+    compute_link_poses(hand_, result.joints, X_OH_, result.X_OL);
     return result;
   }
 
  private:
+  /// Time at which the hand is closed.
+  double close(int& steps) {
+    while (!pairs_.empty()) {
+      Pair& next = *std::min_element(pairs_.begin(), pairs_.end(), [](const Pair& a, const Pair& b) {
+        return a.free_until < b.free_until;
+      });
+      const double t = next.free_until;
+      if (!(t < motion_.end())) break;
+      if (steps == options_.max_steps) return t;
+      ++steps;
+      const FreeTime free = look(next, t);
+      if (free.distance > options_.contact_gap) continue;
+      if (free.time < least_progress * tick_ || presses(next, t)) stop(next, t);
+    }
+    return motion_.end();
+  }
+
+  void measure_hand() {
+    length_to_.assign(hand_.links.size(), 0.0);
+    for (std::size_t j = 0; j < hand_.joints.size(); ++j) {
+      const HandJoint& joint = hand_.joints[j];
+      double length = joint.X_PJ.translation().norm();
+      if (joint.type == JointType::prismatic) length += std::max(std::abs(joint.min), std::abs(joint.max));
+      length_to_[j + 1] = length_to_[static_cast<std::size_t>(joint.parent_link)] + length;
+    }
+  }
+
   void list_pairs() {
     for (int i = 1; i < hand_.n_links(); ++i) {
-      if (model_.surfaces().links[static_cast<std::size_t>(i)].empty()) continue;
-      pairs_.push_back({Pair::Kind::object, i, 0});
+      if (surface(i).empty()) continue;
+      add_pair({Pair::Kind::object, i, 0});
       for (int k = 0; k < static_cast<int>(model_.scene().obstacles.size()); ++k)
-        pairs_.push_back({Pair::Kind::obstacle, i, k});
+        add_pair({Pair::Kind::obstacle, i, k});
     }
-    for (const auto& [a, b] : hand_.collision_pairs) pairs_.push_back({Pair::Kind::links, a, b});
+    for (const auto& [a, b] : hand_.collision_pairs) add_pair({Pair::Kind::links, b, a});
   }
 
-  void place(const VecX& joints) { compute_link_poses(hand_, joints, X_OH_, X_OL_); }
+  void add_pair(Pair p) {
+    p.first_joint = static_cast<int>(pair_joints_.size());
+    int b = p.link;
+    int a = p.kind == Pair::Kind::links ? p.other : 0;
+    const double extent = surface(p.link).bound.center.norm() + surface(p.link).bound.radius;
+    const auto parent = [&](int link) {
+      return hand_.joints[static_cast<std::size_t>(link - 1)].parent_link;
+    };
+    const auto length_to = [&](int link) { return length_to_[static_cast<std::size_t>(link)]; };
+    std::vector<int> up;
+    std::vector<int> down;
+    while (a != b) {  // parents have smaller numbers: both come up to the link where the two branch
+      int& further = a > b ? a : b;
+      (a > b ? up : down).push_back(further);
+      further = parent(further);
+    }
+    const auto add = [&](int link, double sign, double reach) {
+      if (motion_.rate(link - 1, 0.0) != 0.0) pair_joints_.push_back({link - 1, sign, reach});
+    };
+    for (const int link : up)
+      add(link, -1.0, length_to(link) - 2.0 * length_to(a) + length_to(p.link) + extent);
+    for (auto link = down.rbegin(); link != down.rend(); ++link)
+      add(*link, 1.0, length_to(p.link) - length_to(*link) + extent);
+    p.n_joints = static_cast<int>(pair_joints_.size()) - p.first_joint;
+    pairs_.push_back(p);
+  }
 
-  double distance(Pair& p, double exact_below) const {
-    const Pose& X_OL = X_OL_[static_cast<std::size_t>(p.link)];
+  const HandSurfaces::LinkSurface& surface(int link) const {
+    return model_.surfaces().links[static_cast<std::size_t>(link)];
+  }
+
+  const MeshBvh& other_surface(const Pair& p) const {
     switch (p.kind) {
-      case Pair::Kind::object:
-        return model_.distance_to_object(p.link, X_OL, exact_below, &p.hint);
       case Pair::Kind::obstacle:
-        return model_.distance_to_obstacle(p.other, p.link, X_OL, exact_below, &p.hint);
+        return model_.scene().obstacles[static_cast<std::size_t>(p.other)].model->bvh;
       case Pair::Kind::links:
-        return model_.distance_of_links(p.link, p.other, X_OL_, exact_below, &p.hint);
+        return surface(p.other).bvh;
+      default:
+        return model_.scene().object->bvh;
     }
-    return 0.0;
   }
 
-  void measure(Pair& p) {
-    constexpr double exact_below = 0.010;
-    p.clearance = distance(p, exact_below);
-    p.fresh = true;
+  Pose other_pose(const Pair& p, double t) {
+    switch (p.kind) {
+      case Pair::Kind::obstacle:
+        return model_.scene().obstacles[static_cast<std::size_t>(p.other)].X_OB;
+      case Pair::Kind::links:
+        return motion_.pose(p.other, t);
+      default:
+        return Pose::Identity();
+    }
   }
 
-  /// Joint velocities [rad/s] of all degrees of freedom that still move.
-  VecX velocities() const {
-    VecX v = VecX::Zero(hand_.n_joints());
-    for (int d = 0; d < hand_.n_dof(); ++d) {
-      const HandDof& dof = hand_.dofs[static_cast<std::size_t>(d)];
-      if (dof.closing_speed == 0.0) continue;
-      bool any_stopped = false;
-      for (int j = 0; j < hand_.n_joints(); ++j)
-        if (hand_.joints[static_cast<std::size_t>(j)].dof == d && blocked(j)) any_stopped = true;
-      if (any_stopped && dof.type == DofType::rigid) continue;
-      for (int j = 0; j < hand_.n_joints(); ++j) {
-        const HandJoint& joint = hand_.joints[static_cast<std::size_t>(j)];
-        if (joint.dof == d && !blocked(j)) v[j] = joint.ratio * dof.closing_speed;
+  /// How the link moves relative to the other surface, in the object's frame.
+  SurfaceMotion relative_motion(const Pair& p, double t) {
+    screws_.clear();
+    double acceleration = 0.0;
+    double turning = 0.0;  // of the joints so far
+    for (int k = p.first_joint; k < p.first_joint + p.n_joints; ++k) {
+      const PairJoint& pj = pair_joints_[static_cast<std::size_t>(k)];
+      const double rate = pj.sign * motion_.rate(pj.joint, t);
+      if (rate == 0.0) continue;
+      const HandJoint& joint = hand_.joints[static_cast<std::size_t>(pj.joint)];
+      const Pose& X_OJ = motion_.pose(pj.joint + 1, t);
+      const Vec3 axis = rate * (X_OJ.linear() * joint.axis_J);
+      if (joint.type == JointType::prismatic) {
+        screws_.push_back({Vec3::Zero(), axis});
+        acceleration += 2.0 * turning * std::abs(rate);
+      } else {
+        screws_.push_back({axis, X_OJ.translation().cross(axis)});
+        acceleration += pj.reach * std::abs(rate) * (std::abs(rate) + 2.0 * turning);
+        turning += std::abs(rate);
       }
     }
-    return v;
+    return {screws_, acceleration};
   }
 
-  /// Value at which the joint's degree of freedom, or the joint itself, ends in closing direction.
-  double end_of_travel(int j) const {
-    const HandJoint& joint = hand_.joints[static_cast<std::size_t>(j)];
-    const HandDof& dof = hand_.dofs[static_cast<std::size_t>(joint.dof)];
-    const bool rises = joint.ratio * dof.closing_speed > 0.0;
-    const double of_dof = joint.ratio * (dof.closing_speed > 0.0 ? dof.max : dof.min) + joint.offset;
-    return rises ? std::min(of_dof, joint.max) : std::max(of_dof, joint.min);
-  }
-
-  bool blocked(int j) const {
-    return stopped_[static_cast<std::size_t>(j)] || std::abs(end_of_travel(j) - joints_[j]) < 1e-9;
-  }
-
-  /// Largest speed that joint motion can give a point of a link, relative to what the same joint does not
-  /// move.
-  double speed_by(int j, int link, double rate) const {
-    const HandJoint& joint = hand_.joints[static_cast<std::size_t>(j)];
-    if (joint.type == JointType::prismatic) return std::abs(rate);
-    const Pose& X_OJ = X_OL_[static_cast<std::size_t>(j) + 1];
-    const Sphere& bound = model_.surfaces().links[static_cast<std::size_t>(link)].bound;
-    const Vec3 arm = X_OL_[static_cast<std::size_t>(link)] * bound.center - X_OJ.translation();
-    return std::abs(rate) * ((X_OJ.linear() * joint.axis_J).cross(arm).norm() + bound.radius);
-  }
-
-  double relative_speed(const Pair& p, const VecX& v) const {
-    double speed = 0.0;
-    for (int j = 0; j < hand_.n_joints(); ++j) {
-      if (v[j] == 0.0) continue;
-      const bool moves_a = moves_link(hand_, j, p.link);
-      const bool moves_b = p.kind == Pair::Kind::links && moves_link(hand_, j, p.other);
-      if (moves_a != moves_b) speed += speed_by(j, moves_a ? p.link : p.other, v[j]);
+  /// Looks how long the pair is free from time t on.
+  FreeTime look(Pair& p, double t) {
+    const SurfaceMotion motion = relative_motion(p, t);
+    FreeTime free;
+    if (t > 0.0 && motion.joints.empty()) {
+      p.free_until = infinity;
+      return {infinity, infinity};
     }
-    return speed_reserve * speed;
+    free.time = p.kind == Pair::Kind::links ? time_of_bounds(p, motion, t) : 0.0;
+    if (free.time < tick_) free = time_of_surfaces(p, motion, t);
+    p.free_until = t + free.time;
+    // Pairs that are looked at together share the poses.
+    if (free.time > tick_) p.free_until = std::floor(p.free_until / tick_) * tick_;
+    return free;
   }
 
-  Vec3 velocity_of_point(int link, const Vec3& p_O, const VecX& v) const {
-    Vec3 velocity = Vec3::Zero();
-    for (int j = 0; j < hand_.n_joints(); ++j)
-      if (v[j] != 0.0) velocity += v[j] * point_velocity(hand_, X_OL_, link, j, p_O);
-    return velocity;
+  double margin() const { return 0.5 * options_.contact_gap; }
+
+  /// Free time of the two links' bounding spheres.
+  double time_of_bounds(const Pair& p, const SurfaceMotion& motion, double t) {
+    const Sphere& a = surface(p.other).bound;
+    const Sphere& b = surface(p.link).bound;
+    const Vec3 at = motion_.pose(p.link, t) * b.center;
+    const Vec3 line = at - motion_.pose(p.other, t) * a.center;
+    const double length = line.norm();
+    const double gap = length - a.radius - b.radius - margin();
+    if (gap <= 0.0) return 0.0;
+    const Vec3 n = line / length;
+    double rate = 0.0;
+    for (const Screw& s : motion.joints)
+      rate += std::max(0.0, b.radius * n.cross(s.angular).norm() - n.dot(s.velocity(at)));
+    return time_to_close(gap, rate, motion.acceleration);
+  }
+
+  FreeTime time_of_surfaces(Pair& p, SurfaceMotion motion, double t) {
+    const Pose& X_OL = motion_.pose(p.link, t);
+    const double horizon = std::min(time_to_close(p.kind == Pair::Kind::object ? look_ahead2 : look_ahead,
+                                                  speed(p, motion, t), motion.acceleration),
+                                    horizon_ticks * tick_);
+    if (p.kind == Pair::Kind::object)
+      return compute_free_time(other_surface(p), surface(p.link).bvh, X_OL, motion, margin(), horizon,
+                               &p.hint, model_.object_field());
+    const Pose X_OS = other_pose(p, t);
+    const Mat3 R_SO = X_OS.linear().transpose();
+    for (Screw& s : screws_)  // those of the motion
+      s = {R_SO * s.angular, R_SO * s.velocity(X_OS.translation())};
+    return compute_free_time(other_surface(p), surface(p.link).bvh, X_OS.inverse() * X_OL, motion, margin(),
+                             horizon, &p.hint);
+  }
+
+  /// Bound of the speed of the link's points [m/s].
+  double speed(const Pair& p, const SurfaceMotion& motion, double t) {
+    const Sphere& bound = surface(p.link).bound;
+    const Vec3 middle = motion_.pose(p.link, t) * bound.center;
+    double speed = 0.0;
+    for (const Screw& s : motion.joints) speed += s.velocity(middle).norm() + bound.radius * s.angular.norm();
+    return speed;
   }
 
   /// Whether the motion presses the pair together at one of the points in which it touches.
-  bool presses(const Pair& p, const VecX& v) const {
-    const MeshBvh& moving = model_.surfaces().links[static_cast<std::size_t>(p.link)].bvh;
-    Pose X_OS = Pose::Identity();
-    const MeshBvh* solid = &model_.scene().object->bvh;
-    if (p.kind == Pair::Kind::obstacle) {
-      const Obstacle& o = model_.scene().obstacles[static_cast<std::size_t>(p.other)];
-      X_OS = o.X_OB;
-      solid = &o.model->bvh;
-    } else if (p.kind == Pair::Kind::links) {
-      X_OS = X_OL_[static_cast<std::size_t>(p.other)];
-      solid = &model_.surfaces().links[static_cast<std::size_t>(p.other)].bvh;
-    }
-    const Pose X_SL = X_OS.inverse() * X_OL_[static_cast<std::size_t>(p.link)];
-    for (const TouchPoint& t : find_touch_points(*solid, moving, X_SL, 1.2 * options_.contact_gap)) {
-      const Vec3 p_O = X_OS * t.p;
-      Vec3 relative = velocity_of_point(p.link, p_O, v);
-      if (p.kind == Pair::Kind::links) relative -= velocity_of_point(p.other, p_O, v);
-      if (relative.dot(X_OS.linear() * t.n) > 1e-4 * p.speed) return true;
-    }
-    return false;
+  bool presses(const Pair& p, double t) {
+    const Pose X_OS = other_pose(p, t);
+    const Pose X_SL = X_OS.inverse() * motion_.pose(p.link, t);
+    const auto touches =
+        find_touch_points(other_surface(p), surface(p.link).bvh, X_SL, 1.2 * options_.contact_gap);
+    const SurfaceMotion motion = relative_motion(p, t);
+    const double least = 1e-4 * speed(p, motion, t);
+    return std::any_of(touches.begin(), touches.end(), [&](const TouchPoint& touch) {
+      Vec3 velocity = Vec3::Zero();
+      for (const Screw& s : motion.joints) velocity += s.velocity(X_OS * touch.p);
+      return velocity.dot(X_OS.linear() * touch.n) > least;
+    });
   }
 
-  /// Stops the moving joints between the base and the pair's links.
-  void stop(const Pair& p, const VecX& v) {
-    for (int j = 0; j < hand_.n_joints(); ++j) {
-      const bool moves_a = moves_link(hand_, j, p.link);
-      const bool moves_b = p.kind == Pair::Kind::links && moves_link(hand_, j, p.other);
-      if (v[j] != 0.0 && moves_a != moves_b) stopped_[static_cast<std::size_t>(j)] = true;
-    }
+  /// Stops the moving joints between the pair's links, or between the link and the base.
+  void stop(Pair& p, double t) {
+    for (int k = p.first_joint; k < p.first_joint + p.n_joints; ++k)
+      motion_.stop(pair_joints_[static_cast<std::size_t>(k)].joint, t);
+    p.free_until = infinity;
   }
 
-  /// Longest time until a joint reaches its end or has turned far.
-  double time_to_limits(const VecX& v) const {
-    double t = infinity;
-    for (int j = 0; j < hand_.n_joints(); ++j)
-      if (v[j] != 0.0)
-        t = std::min({t, (end_of_travel(j) - joints_[j]) / v[j], largest_turn / std::abs(v[j])});
-    return t;
-  }
-
-  bool touches(const Pair& p) const { return p.clearance <= options_.contact_gap; }
-
-  /// One step. False when nothing moves any more.
-  bool advance() {
-    const VecX v = velocities();
-    if (v.isZero(0.0)) return false;
-    bool sliding = false;
-    for (Pair& p : pairs_) {
-      p.speed = relative_speed(p, v);
-      if (p.speed == 0.0) continue;
-      if (touches(p) && !p.fresh) measure(p);
-      if (!touches(p)) continue;
-      if (presses(p, v)) {
-        stop(p, v);
-        return true;
-      }
-      sliding = true;
-    }
-    double step = time_to_limits(v);
-    if (sliding) step = std::min(step, options_.slide_step / v.cwiseAbs().maxCoeff());
-    step = limit_by_clearance(step);
-    if (sliding) return slide(v, step);
-    move(v, step);
-    return true;
-  }
-
-  /// Shortens the step so that no pair that does not touch yet comes nearer than half the contact gap.
-  double limit_by_clearance(double step) {
-    const auto allowed = [&](const Pair& p) { return (p.clearance - 0.5 * options_.contact_gap) / p.speed; };
-    for (Pair& p : pairs_) {
-      if (p.speed == 0.0 || touches(p) || allowed(p) >= step) continue;
-      if (!p.fresh) measure(p);
-      if (touches(p)) return 0.0;  // seen to at the beginning of the next step
-      step = std::min(step, allowed(p));
-    }
-    return std::max(step, 0.0);
-  }
-
-  void move(const VecX& v, double step) {
-    joints_ += step * v;
-    for (int j = 0; j < hand_.n_joints(); ++j)
-      if (v[j] != 0.0 && std::abs(end_of_travel(j) - joints_[j]) < 1e-9) joints_[j] = end_of_travel(j);
-    place(joints_);
-    for (Pair& p : pairs_) {
-      if (p.speed == 0.0 || step == 0.0) continue;
-      p.clearance = std::max(p.clearance - p.speed * step, 0.0);
-      p.fresh = false;
-    }
-  }
-
-  /// A step in which touching pairs may slide; where one would collide the step ends just before, and the
-  /// pair stops its joints.
-  bool slide(const VecX& v, double step) {
-    std::vector<Pair*> touching;
-    for (Pair& p : pairs_)
-      if (p.speed > 0.0 && touches(p)) touching.push_back(&p);
-    const VecX start = joints_;
-    const auto first_collision = [&](double t) -> Pair* {
-      place(start + t * v);
-      for (Pair* p : touching)
-        if (distance(*p, options_.contact_gap) <= 0.0) return p;
-      return nullptr;
-    };
-    double free = 0.0;
-    if (Pair* hit = first_collision(step)) {
-      double collides = step;
-      for (int i = 0; i < 24 && collides - free > 1e-7 / std::max(1e-9, v.cwiseAbs().maxCoeff()); ++i) {
-        const double middle = 0.5 * (free + collides);
-        if (Pair* p = first_collision(middle)) {
-          collides = middle;
-          hit = p;
-        } else {
-          free = middle;
-        }
-      }
-      move(v, free);
-      stop(*hit, v);
-    } else {
-      move(v, step);
-    }
-    for (Pair* p : touching) measure(*p);
-    return true;
-  }
+  static constexpr double tick_turn = 0.05;  // [rad or m] of the fastest joint
+  static constexpr double look_ahead2 = 0.005;
+  static constexpr double look_ahead = 0.004;
+  static constexpr double horizon_ticks = 4.0;
+  static constexpr double least_progress = 1e-5;  // ticks: a slide that gets no further ends
 
   const CollisionModel& model_;
   const HandModel& hand_;
   Pose X_OH_;
   ClosingOptions options_;
-  VecX joints_;
-  std::vector<bool> stopped_;
+  ClosingMotion motion_;
+  double tick_ = infinity;
+  std::vector<double> length_to_;  ///< of the straightened chain from the base to each link [m]
   std::vector<Pair> pairs_;
-  std::vector<Pose> X_OL_;
+  std::vector<PairJoint> pair_joints_;
+  std::vector<Screw> screws_;
 };
 
 }  // namespace

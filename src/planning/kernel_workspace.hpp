@@ -8,21 +8,41 @@
 
 namespace eigengrasp {
 
-/// A kernel::Workspace with its memory, aligned to cache lines; all thresholds infinite. One a thread.
-class KernelWorkspace {
+/// Rows of sixteen floats, zero, aligned to cache lines.
+class LaneRows {
  public:
-  explicit KernelWorkspace(const kernel::Program& program);
-
-  const kernel::Workspace& work() const { return work_; }
-  /// Writes a value to a lane of a row of the workspace.
-  static void put(float* row, int lane, double value) { row[lane] = static_cast<float>(value); }
+  explicit LaneRows(int n_rows);
+  /// The next n of them. @pre there are that many left
+  float* take(int n);
 
  private:
   struct Release {
     void operator()(float* memory) const;
   };
-  kernel::Workspace work_{};
   std::unique_ptr<float[], Release> memory_;
+  float* next_;
+};
+
+/// A kernel::Workspace with its memory; all thresholds infinite. One a thread.
+class KernelWorkspace {
+ public:
+  explicit KernelWorkspace(const kernel::Program& program);
+  const kernel::Workspace& work() const { return work_; }
+
+ private:
+  LaneRows rows_;
+  kernel::Workspace work_{};
+};
+
+/// A kernel::Chains with its memory.
+class KernelChains {
+ public:
+  explicit KernelChains(int n_amplitudes);
+  const kernel::Chains& chains() const { return chains_; }
+
+ private:
+  LaneRows rows_;
+  kernel::Chains chains_{};
 };
 
 }  // namespace eigengrasp

@@ -11,27 +11,26 @@
 
 namespace eigengrasp {
 
-/// Iterations, time and the stop flag: tells the chains when to end, and reports progress. Shared by all
+/// Iterations, time and the stop flag: tells the annealers when to end, and reports progress. Shared by all
 /// threads.
 class PlanBudget {
  public:
-  explicit PlanBudget(const PlanOptions& options);
+  explicit PlanBudget(const PlanOptions& options) : options_(options) {}
 
-  /// Iterations of one round of a chain; the first chains take one more where they do not divide evenly.
-  std::int64_t share_of_chain(std::size_t chain, std::size_t n_chains) const;
-  /// Whether another round begins: only where no number of iterations was given.
+  /// Anneals from hot to cold over a number of states. False where the budget ended before.
+  bool anneal(Annealer& annealer, std::int64_t states, int worker);
+
+  /// Only a time limit was given, no number of iterations.
   bool repeats() const { return options_.iterations == 0; }
-  /// Asked before every step. Looks at the clock every 64 steps.
-  bool go_on(int worker, const AnnealingChain& chain);
+  bool ended() const { return ended_.load(std::memory_order_relaxed); }
   bool ended_early() const {
-    return ended_.load(std::memory_order_relaxed) &&
-           (!repeats() || (options_.stop && options_.stop->stop_requested()));
+    return ended() && (!repeats() || (options_.stop && options_.stop->stop_requested()));
   }
 
  private:
-  static constexpr std::int64_t steps_between_looks = 64;
-  static constexpr std::int64_t round_length = 20000;  ///< of a chain, where only a time limit is given
+  static constexpr int steps_between_looks = 8;
 
+  bool go_on(int worker, std::int64_t newly_done, const Annealer& annealer);
   double elapsed() const;
 
   const PlanOptions& options_;
@@ -40,5 +39,11 @@ class PlanBudget {
   std::atomic<bool> ended_{false};
   double next_report_ = 0.1;  ///< [s]; used by worker 0 alone
 };
+
+/// The nth of n_parts nearly equal parts of a whole.
+inline std::int64_t part_of(std::int64_t whole, std::size_t n, std::size_t n_parts) {
+  const auto parts = static_cast<std::int64_t>(n_parts);
+  return whole / parts + (static_cast<std::int64_t>(n) < whole % parts ? 1 : 0);
+}
 
 }  // namespace eigengrasp

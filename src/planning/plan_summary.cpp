@@ -22,21 +22,6 @@ std::string options_digest(const PlanOptions& options) {
   return fmt::format("{:016x}", hash);
 }
 
-void summarise_search(const std::vector<AnnealingChain>& chains, PlanResult& result) {
-  const AnnealingChain* best = nullptr;
-  for (const AnnealingChain& chain : chains) {
-    const StateCounts& c = chain.counts();
-    result.states.evaluated += c.evaluated;
-    result.states.legal += c.legal;
-    result.states.hit_object += c.hit_object;
-    result.states.hit_itself += c.hit_itself;
-    result.states.hit_obstacle += c.hit_obstacle;
-    if (chain.milestones().empty()) continue;
-    if (!best || chain.milestones().back().energy < best->milestones().back().energy) best = &chain;
-  }
-  if (best) result.milestones = best->milestones();
-}
-
 namespace {
 
 std::string states_sentence(const StateCounts& s) {

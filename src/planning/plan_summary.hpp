@@ -3,9 +3,7 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
-#include "eigengrasp/planning/annealer.hpp"
 #include "eigengrasp/planning/grasp_planner.hpp"
 
 namespace eigengrasp {
@@ -15,9 +13,6 @@ std::string planner_name(const PlanOptions& options);
 
 /// 16 hexadecimal digits of all options that change the result.
 std::string options_digest(const PlanOptions& options);
-
-/// Sums the counts of the chains and takes the milestones of the best one.
-void summarise_search(const std::vector<AnnealingChain>& chains, PlanResult& result);
 
 /// Sets the status and the sentence that says what was found, or why nothing was.
 void explain(const Scene& scene, const PlanOptions& options, PlanResult& result);

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "planning/kernel_workspace.hpp"
+#include "planning/lane_state.hpp"
 #include "planning/state_program.hpp"
 
 namespace eigengrasp {
@@ -48,21 +49,21 @@ void StateEvaluator::evaluate(Batch& batch) const {
 }
 
 StateEvaluator::Batch::Batch(const StateEvaluator& evaluator)
-    : memory_(std::make_unique<KernelWorkspace>(evaluator.storage_->program.program())) {}
+    : memory_(std::make_unique<KernelWorkspace>(evaluator.storage_->program.program())),
+      n_amplitudes_(evaluator.storage_->program.program().n_amplitudes) {}
 
 StateEvaluator::Batch::~Batch() = default;
 StateEvaluator::Batch::Batch(Batch&&) noexcept = default;
 StateEvaluator::Batch& StateEvaluator::Batch::operator=(Batch&&) noexcept = default;
 
 void StateEvaluator::Batch::set(int lane, const HandState& state) {
-  const auto put = [lane](float* row, double value) { row[lane] = static_cast<float>(value); };
-  for (int i = 0; i < 3; ++i) put(memory_->work().position + i * lanes, state.p_OA[i]);
-  put(memory_->work().quaternion, state.q_OA.w());
-  put(memory_->work().quaternion + lanes, state.q_OA.x());
-  put(memory_->work().quaternion + 2 * lanes, state.q_OA.y());
-  put(memory_->work().quaternion + 3 * lanes, state.q_OA.z());
-  for (Eigen::Index i = 0; i < state.amplitudes.size(); ++i)
-    put(memory_->work().amplitudes + i * lanes, state.amplitudes[i]);
+  const kernel::Workspace& work = memory_->work();
+  put_lane(state, lane, {work.position, work.quaternion, work.amplitudes});
+}
+
+HandState StateEvaluator::Batch::state(int lane) const {
+  const kernel::Workspace& work = memory_->work();
+  return take_lane(lane, {work.position, work.quaternion, work.amplitudes}, n_amplitudes_);
 }
 
 void StateEvaluator::Batch::set_threshold(int lane, double energy) {

@@ -34,12 +34,12 @@ Mat3 turn_z_to(const Vec3& axis) {
   return Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), axis).toRotationMatrix();
 }
 
-kernel::GridView grid_view(const FieldGrid& grid, std::size_t first) {
+kernel::GridView grid_view(const FieldGrid& grid, double scale, std::size_t first) {
   kernel::GridView v;
-  put(grid.origin, v.origin);
+  put(scale * grid.origin, v.origin);
   for (int i = 0; i < 3; ++i) v.last[i] = static_cast<float>(grid.nodes[i] - 1);
-  v.cell = static_cast<float>(grid.cell);
-  v.inverse_cell = static_cast<float>(1.0 / grid.cell);
+  v.cell = static_cast<float>(scale * grid.cell);
+  v.inverse_cell = static_cast<float>(1.0 / (scale * grid.cell));
   v.row = grid.nodes.x();
   v.layer = grid.nodes.x() * grid.nodes.y();
   v.first = static_cast<std::int32_t>(first);
@@ -255,8 +255,8 @@ void StateProgram::add_posture_grid(const EigengraspSpace& postures, const kerne
       const int node = static_cast<int>(node_of(lane));
       const int place[2] = {node % grid.nodes[0], node / grid.nodes[0]};
       for (int i = 0; i < postures.size(); ++i)
-        KernelWorkspace::put(work.amplitudes + i * kernel::n_lanes, lane,
-                             postures[i].min + place[i] * step[i]);
+        work.amplitudes[i * kernel::n_lanes + lane] =
+            static_cast<float>(postures[i].min + place[i] * step[i]);
     }
     functions.clear_itself(program_, work);
     for (int lane = 0; lane < kernel::n_lanes; ++lane) posture_clearance_[node_of(lane)] = work.energy[lane];
@@ -270,7 +270,9 @@ kernel::FieldView StateProgram::view(const DistanceField& field) {
   std::vector<float>& values = field_values_.emplace_back(field.fine().values);
   const std::size_t n_fine = values.size();
   values.insert(values.end(), field.coarse().values.begin(), field.coarse().values.end());
-  return {values.data(), grid_view(field.fine(), 0), grid_view(field.coarse(), n_fine)};
+  for (float& value : values) value = static_cast<float>(field.scale() * static_cast<double>(value));
+  return {values.data(), grid_view(field.fine(), field.scale(), 0),
+          grid_view(field.coarse(), field.scale(), n_fine)};
 }
 
 }  // namespace eigengrasp

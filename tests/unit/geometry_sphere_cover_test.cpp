@@ -55,6 +55,44 @@ TEST(SphereCover, SpheresAreInsideAndReachTheSurface) {
   }
 }
 
+// Every point of the surface, at 0.3 mm, against all spheres; edges, thin walls and both orientations of a
+// sheet inside the solid.
+TEST(SphereCover, LeavesNoGapVsBruteForce) {
+  std::vector<Solid> all = solids();
+  TriangleMesh nested = testing::box_mesh({0.03, 0.03, 0.03});
+  append(nested, testing::box_mesh({0.02, 0.02, 0.02}));  // a surface hidden inside
+  all.push_back({"nested", nested});
+  all.push_back({"plate", testing::box_mesh({0.015, 0.01, 0.0004})});
+  for (const Solid& solid : all) {
+    const MeshBvh bvh(solid.mesh);
+    const std::size_t hidden_from = std::string(solid.name) == "nested" ? 12 : solid.mesh.triangles.size();
+    for (const double tolerance : {0.0007, 0.0015}) {
+      const auto spheres = cover_with_inner_spheres(solid.mesh, bvh, tolerance);
+      for (const Sphere& s : spheres)
+        EXPECT_LE(bvh.signed_distance(s.center), -s.radius + 1e-6) << solid.name;
+      TriangleMesh visible = solid.mesh;
+      visible.triangles.resize(hidden_from);
+      double farthest = 0.0;
+      const std::vector<Vec3> points = sample_surface(visible, 0.0003).points;
+      for (std::size_t i = 0; i < points.size(); i += 1 + points.size() / 10007) {
+        const Vec3& p = points[i];
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const Sphere& s : spheres) nearest = std::min(nearest, (s.center - p).norm() - s.radius);
+        farthest = std::max(farthest, nearest);
+      }
+      EXPECT_LT(farthest, 1.27 * tolerance) << solid.name << ", " << spheres.size() << " spheres";
+    }
+  }
+}
+
+TEST(SphereCover, OfNothingIsNothing) {
+  EXPECT_TRUE(cover_with_inner_spheres({}, MeshBvh(), 0.001).empty());
+  TriangleMesh needle;  // without area
+  needle.vertices = {{0, 0, 0}, {0.01, 0, 0}, {0.02, 0, 0}};
+  needle.triangles = {{0, 1, 2}};
+  EXPECT_TRUE(cover_with_inner_spheres(needle, MeshBvh(needle), 0.001).empty());
+}
+
 TEST(BoundingSphere, HoldsAllPointsAndIsNotMuchTooLarge) {
   RandomStream random{2};
   for (int k = 0; k < 50; ++k) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <memory>
 #include <vector>
 
 #include "eigengrasp/geometry/mesh_bvh.hpp"
@@ -41,25 +42,46 @@ struct DistanceFieldOptions {
 /// is that of the generalised winding number, so polygon soups have an inside where they nearly enclose one.
 /// Error of the distance: exact at the nodes; in between at most about cell^2 / (8 r) at distance r from an
 /// edge of the surface, and up to half a cell at the medial axis and inside walls thinner than a cell.
+/// A cheap value: copies and scaled ones share the grids.
 class DistanceField {
  public:
+  struct Grids {
+    FieldGrid fine;
+    FieldGrid coarse;
+  };
+
   DistanceField() = default;
-  /// Cost: about 0.3 s for 16,000 triangles on two cores.
+  /// Cost: about 0.5 s of one core for 16,000 triangles.
   explicit DistanceField(const MeshBvh& bvh, const DistanceFieldOptions& options = {});
+  explicit DistanceField(std::shared_ptr<const Grids> grids);
+
+  /// The field of the surface made `factor` times larger about the origin, on the same grids: cells, margins
+  /// and errors grow with it. Cost: nearly none. @pre factor > 0
+  DistanceField scaled(double factor) const;
 
   /// Anywhere in space; outside both grids the nearest point seen from the grid's border stands for the true
   /// one.
   FieldSample sample(const Vec3& p) const;
   /// The distance alone; a lower cost.
   double distance(const Vec3& p) const;
+  /// Whether a grid holds p; elsewhere the distance is only about right.
+  bool covers(const Vec3& p) const { return coarse().contains(p * per_scale_); }
 
-  const FieldGrid& fine() const { return fine_; }
-  const FieldGrid& coarse() const { return coarse_; }
-  bool empty() const { return fine_.values.empty(); }
+  /// The grids as they were made: the distance at p is scale() times their value at p / scale().
+  const FieldGrid& fine() const { return grids_->fine; }
+  const FieldGrid& coarse() const { return grids_->coarse; }
+  double scale() const { return scale_; }
+  const std::shared_ptr<const Grids>& grids() const { return grids_; }
+  bool empty() const { return grids_->fine.values.empty(); }
 
  private:
-  FieldGrid fine_;
-  FieldGrid coarse_;
+  FieldSample sample_unscaled(const Vec3& p) const;
+
+  std::shared_ptr<const Grids> grids_ = no_grids();
+  double scale_ = 1.0;
+  double per_scale_ = 1.0;
+
+  static const std::shared_ptr<const Grids>& no_grids();
 };
 
 }  // namespace eigengrasp

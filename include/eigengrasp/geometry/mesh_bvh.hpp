@@ -28,9 +28,9 @@ struct ClosestPair {
 };
 
 /// Bounding-volume hierarchy (axis-aligned boxes) over the triangles of a mesh, with exact queries in double
-/// precision. Holds its own copy of the corners; degenerate triangles count as segments or points. Immutable,
-/// any number of threads. Boxes are in the mesh's own frame; in queries of two hierarchies the boxes of b are
-/// turned into the frame of a.
+/// precision; of two hierarchies with oriented boxes in single precision, rounded outwards. Holds its own
+/// copy of the corners; degenerate triangles count as segments or points. Immutable, any number of threads.
+/// Boxes are in the mesh's own frame; in queries of two hierarchies b is turned into the frame of a.
 class MeshBvh {
  public:
   MeshBvh() = default;
@@ -68,18 +68,29 @@ class MeshBvh {
     Vec3 moment = Vec3::Zero();  ///< sum of area vectors [m^2]
     double radius = 0.0;         ///< of the node about the centre [m]
   };
+  /// A box about a node's triangles that is turned as they lie: thin where they are nearly plane. Component i
+  /// of rows[k] is component k of axis i; four floats each, for vector registers. Larger than the triangles
+  /// need by more than the rounding.
+  struct alignas(16) OrientedBox {
+    float rows[3][4] = {};
+    float half[4] = {};    ///< [m]
+    float center[4] = {};  ///< [m]
+  };
   const std::vector<Node>& nodes() const { return nodes_; }
+  const OrientedBox& oriented_box(int node) const { return oriented_boxes_[static_cast<std::size_t>(node)]; }
   /// Triangle (index as in the mesh) at a place of the leaf order.
   int triangle_at(int place) const { return order_[static_cast<std::size_t>(place)]; }
 
  private:
   void build(int node, int first, int count, const std::vector<Vec3>& centers);
   void compute_dipoles();
+  void compute_oriented_boxes();
 
   std::vector<TriangleCorners> corners_;
   std::vector<int> order_;
   std::vector<Node> nodes_;
   std::vector<Dipole> dipoles_;  ///< one a node
+  std::vector<OrientedBox> oriented_boxes_;
   Box box_;
 };
 

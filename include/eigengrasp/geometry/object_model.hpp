@@ -21,11 +21,24 @@ struct ObjectModel {
   double max_radius = 0.0;  ///< largest distance of a vertex from the centre of mass [m]: the torque scale
   std::string material;     ///< of the friction table; empty: unknown
   bool watertight = false;
+
+  // One distance field serves all scales of an object.
+  double scale = 1.0;                     ///< of the mesh; 1 is the mesh that the distance field is made of
+  std::string content_key;                ///< of the mesh at scale 1
+  std::shared_ptr<const MeshBvh> at_one;  ///< of the mesh at scale 1; none where this is it
+
+  const MeshBvh& unscaled_bvh() const { return at_one ? *at_one : bvh; }
 };
 
 /// Prepares a mesh. The centre of mass is the volume's where the mesh is watertight with positive volume,
 /// else the surface's, unless given. @throws Error for an empty mesh, non-finite vertices or indices out of
 /// range.
 ObjectModel make_object(std::string name, TriangleMesh mesh, const Vec3* center_of_mass = nullptr);
+
+/// The object made `factor` times larger about its origin. @pre factor > 0
+ObjectModel rescaled(const ObjectModel& object, double factor);
+
+/// What tells meshes apart: a hash of vertices and triangles.
+std::string content_key_of(const TriangleMesh& mesh);
 
 }  // namespace eigengrasp

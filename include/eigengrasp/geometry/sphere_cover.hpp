@@ -21,11 +21,14 @@ struct SurfaceSamples {
 };
 SurfaceSamples sample_surface(const TriangleMesh& mesh, double spacing);
 
-/// Spheres inside a closed surface that together reach its points to within about `tolerance` [m]: medial
-/// balls (shrinking-ball construction, Ma et al. 2012) chosen greedily. The tolerance holds at samples at
-/// least 1.2 mm apart, and at most of them where there are more than 1,500; between them gaps of up to twice
-/// the tolerance are possible. What meets a sphere is inside the solid; what intrudes deeper than that meets
-/// a sphere. Cost: some 10 ms.
+/// Spheres inside a closed surface that together reach its points: medial balls (shrinking-ball construction,
+/// Ma et al. 2012) chosen greedily, the largest first. What meets a sphere is inside the solid; what intrudes
+/// deeper than the tolerance meets a sphere.
+/// Guarantee: cut the surface into pieces of at most 0.4 tolerances (a thousandth of the root of its area
+/// where that is more). Every piece that has the solid on one side is within `tolerance` [m] of a sphere as a
+/// whole, or at least its centre is; no point is therefore farther than 1.27 tolerances, and nearly none
+/// farther than 1.05. Surfaces hidden inside the solid (probed every 1.6 pieces' sides) need not be reached.
+/// Cost: some 10 ms for a finger's link at 0.7 mm; 0.2-0.5 s for a hand.
 std::vector<Sphere> cover_with_inner_spheres(const TriangleMesh& mesh, const MeshBvh& bvh, double tolerance);
 
 /// Neighbouring spheres and a ball that holds them all.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "eigengrasp/geometry/distance_field.hpp"
+#include "eigengrasp/geometry/preparation_cache.hpp"
 #include "eigengrasp/geometry/sphere_cover.hpp"
 #include "eigengrasp/grasp/scene.hpp"
 
@@ -32,7 +33,7 @@ struct HandSurfaces {
 
   HandSurfaces() = default;
   /// Cost: about 0.2 s. @param cover_tolerance of the inner spheres [m]
-  HandSurfaces(const HandModel& hand, double cover_tolerance, int threads);
+  HandSurfaces(const HandModel& hand, double cover_tolerance, int threads, PreparationCache* cache = nullptr);
 };
 
 /// What the hand can hit: the object, obstacles, itself. Immutable, shared by all threads. All link poses are
@@ -45,6 +46,7 @@ class CollisionModel {
         0.0002;        ///< [m] spheres that intrude less are let pass: error of the distance field
     bool fast = true;  ///< prepare distance fields and spheres; else only exact queries work
     int threads = 0;
+    std::shared_ptr<PreparationCache> cache = {};  ///< of fields and spheres; none: all is made anew
   };
 
   CollisionModel(Scene scene, const Options& options);

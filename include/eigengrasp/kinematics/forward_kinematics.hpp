@@ -22,6 +22,9 @@ VecX posture_of_joints(const HandModel& hand, const VecX& joints);
 /// needed. Cost: 1 us.
 void compute_link_poses(const HandModel& hand, const VecX& joints, const Pose& X_OH, std::vector<Pose>& X_OL);
 
+/// Pose X_OL of the link that a joint moves, at a value of the joint [rad or m] and the pose of its parent.
+Pose link_pose(const HandJoint& joint, double value, const Pose& X_OP);
+
 /// Velocity of a point p_O fixed to link `link` per unit velocity of joint j [m/rad or m/m]; zero where j
 /// does not move the link.
 Vec3 point_velocity(const HandModel& hand, const std::vector<Pose>& X_OL, int link, int j, const Vec3& p_O);

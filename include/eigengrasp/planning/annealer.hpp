@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "eigengrasp/core/random.hpp"
@@ -10,6 +11,7 @@
 #include "eigengrasp/planning/grasp_energy.hpp"
 #include "eigengrasp/planning/grasp_planner.hpp"
 #include "eigengrasp/planning/pregrasp_list.hpp"
+#include "eigengrasp/planning/state_evaluator.hpp"
 
 namespace eigengrasp {
 
@@ -32,8 +34,8 @@ struct AnnealingSchedule {
 /// Ingber's neighbour distribution: in [-1, 1], wide tails, of width T. @param u uniform in [0, 1)
 double neighbor_jump(double temperature, double u);
 
-/// The variables of the search: the approach frame of the hand (its approach point, orientation of the base)
-/// in the object frame, within a box about the object, and amplitudes within their ranges.
+/// Ranges and largest jumps of the variables of a HandState: the approach point within a box about the
+/// object, any orientation, amplitudes within their ranges.
 struct SearchSpace {
   EigengraspSpace postures;
   Vec3 center_O = Vec3::Zero();      ///< of the box of approach points [m]
@@ -45,54 +47,69 @@ struct SearchSpace {
   SearchSpace(const Scene& scene, int n_amplitudes);
 };
 
-/// One chain of simulated annealing (section III-A). Holds its own random stream and scratch memory: chains
-/// run in any order, on any thread.
-class AnnealingChain {
+/// Pose of the hand base in O of a state.
+Pose hand_pose(const HandModel& hand, const HandState& state);
+/// Posture (n_dof) of a state, inside the limits.
+VecX hand_posture(const HandModel& hand, const SearchSpace& space, const HandState& state);
+
+/// Simulated annealing (section III-A) in sixteen lanes: one chain, or sixteen side by side. A lone chain
+/// draws sixteen neighbours of its state at once and takes the first that is accepted, which is the same walk
+/// as one draw after the other; draws behind the accepted one are thrown away and do not count. Holds its own
+/// random streams and memory: annealers run in any order, on any thread.
+class Annealer {
  public:
-  AnnealingChain(const CollisionModel& model, const GraspEnergy& energy, const SearchSpace& space,
-                 const AnnealingSchedule& schedule, PreGraspList list, RandomStream random, int chain);
+  /// What annealers share; what it refers to must outlive them.
+  struct Task {
+    const CollisionModel& model;
+    const GraspEnergy& energy;
+    const SearchSpace& space;
+    const StateEvaluator& evaluator;
+    AnnealingSchedule schedule;
+    std::uint64_t seed;
+  };
 
-  /// Draws and evaluates one state, and moves there if it is legal and accepted. @param progress in [0, 1]
-  void step(double progress);
+  /// @param number of the annealer: with the seed the key of its random streams
+  /// @param n_chains 1 or 16
+  /// @param list that the best distinct states are added to
+  Annealer(const Task& task, std::uint64_t number, int n_chains, PreGraspList list);
+  ~Annealer();
+  Annealer(Annealer&&) noexcept;
 
-  /// Back to a new random start; the list of the best stays.
+  /// Draws and evaluates sixteen states; every chain moves to its first that is legal and accepted.
+  /// @param progress in [0, 1]  @param most states that may be counted
+  void step(double progress, std::int64_t most);
+
+  /// All chains back to new random starts; the list of the best stays.
   void restart();
+  /// One chain to a given start.
+  void restart(int chain, const HandState& state);
 
-  std::int64_t iterations() const { return counts_.evaluated; }
   const StateCounts& counts() const { return counts_; }
+  std::int64_t iterations() const { return counts_.evaluated; }
   const PreGraspList& best() const { return list_; }
+  /// Empties the list of the best.
+  void forget() { list_.clear(); }
   /// Each state that was better than all before it.
   const std::vector<SearchMilestone>& milestones() const { return milestones_; }
 
  private:
-  struct State {
-    Vec3 p_OA = Vec3::Zero();
-    Eigen::Quaterniond q_OA = Eigen::Quaterniond::Identity();
-    VecX amplitudes;
-  };
+  struct Lanes;
 
-  State random_state();
-  State neighbor(const State& state, double temperature);
-  Pose hand_pose(const State& state) const;
-  Legality place(const State& state);
-  void remember(const State& state, double energy);
+  HandState random_state();
+  void set_temperatures(double progress);
+  void judge_by_wrenches();
+  void count(StateEvaluator::Verdict verdict);
+  void remember(int lane);
 
-  const CollisionModel& model_;
-  const GraspEnergy& energy_function_;
-  const SearchSpace& space_;
-  AnnealingSchedule schedule_;
+  Task task_;
+  int n_chains_;
+  int number_;
   PreGraspList list_;
   RandomStream random_;
-  int chain_;
-  State state_;
-  double energy_ = 1e8;  ///< of the start: the first legal neighbour is taken
+  std::unique_ptr<Lanes> lanes_;
   double best_energy_ = 1e8;
   StateCounts counts_;
   std::vector<SearchMilestone> milestones_;
-  VecX dofs_;
-  VecX joints_;
-  std::vector<Pose> X_OL_;
-  std::vector<ContactApproach> approaches_;
 };
 
 }  // namespace eigengrasp

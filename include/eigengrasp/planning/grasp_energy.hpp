@@ -51,6 +51,8 @@ class GraspEnergy {
   double evaluate(const std::vector<Pose>& X_OL, DistanceSource source,
                   std::vector<ContactApproach>& scratch) const;
 
+  EnergyKind kind() const { return kind_; }
+
   /// Options of the wrench space of final grasps: about the centre of mass, torques scaled by the object's
   /// max_radius.
   const WrenchSpaceOptions& wrench_space() const { return wrench_space_; }

@@ -4,10 +4,12 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "eigengrasp/core/parallel.hpp"
+#include "eigengrasp/geometry/preparation_cache.hpp"
 #include "eigengrasp/grasp/grasp.hpp"
 #include "eigengrasp/grasp/scene.hpp"
 #include "eigengrasp/quality/wrench_space.hpp"
@@ -51,8 +53,9 @@ struct PlanOptions {
   WrenchNorm norm = WrenchNorm::l1;
   ConeModel cone = ConeModel::edges;
   int cone_edges = 8;
-  double epsilon_min = 1e-6;       ///< form closure: epsilon at least this
-  double torque_scale = 0.0;       ///< [m]; 0: the object's max_radius
+  double epsilon_min = 1e-6;                     ///< form closure: epsilon at least this
+  double torque_scale = 0.0;                     ///< [m]; 0: the object's max_radius
+  std::shared_ptr<PreparationCache> cache = {};  ///< keeps what is made of meshes; none: all is made anew
   const StopFlag* stop = nullptr;  ///< asked every few milliseconds; what was found until then is returned
   std::function<void(const PlanProgress&)> progress =
       {};  ///< called from one thread, some times a second; may be empty

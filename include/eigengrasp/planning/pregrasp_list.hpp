@@ -42,6 +42,7 @@ class PreGraspList {
   /// True where the candidate was taken in.
   bool add(PreGrasp candidate);
   const std::vector<PreGrasp>& items() const { return items_; }
+  void clear() { items_.clear(); }
 
  private:
   std::size_t capacity_;

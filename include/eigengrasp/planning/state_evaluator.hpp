@@ -52,6 +52,7 @@ class StateEvaluator {
     Batch& operator=(Batch&&) noexcept;
 
     void set(int lane, const HandState& state);
+    HandState state(int lane) const;
     /// States of this energy and above need not be told legal or not: their verdict is energy_too_high, or
     /// the collision that was seen before. Infinity at first: every state is judged.
     void set_threshold(int lane, double energy);
@@ -61,7 +62,9 @@ class StateEvaluator {
 
    private:
     friend class StateEvaluator;
+    friend class Annealer;
     std::unique_ptr<KernelWorkspace> memory_;
+    int n_amplitudes_;
   };
 
   /// @param alpha length [m] of eq. (6). @pre the model was prepared with Options::fast
@@ -73,6 +76,7 @@ class StateEvaluator {
   void evaluate(Batch& batch) const;
 
  private:
+  friend class Annealer;
   struct Storage;
   std::unique_ptr<Storage> storage_;
   const kernel::Functions* functions_;

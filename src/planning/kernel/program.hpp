@@ -148,10 +148,37 @@ struct Workspace {
   float* row;             ///< (16) scratch
 };
 
+struct Range {
+  float low, high, max_jump;
+};
+
+/// Where the variables of the search may be, and how far they jump.
+struct SearchBox {
+  float low[3], high[3];  ///< of the approach point in O
+  float max_shift;        ///< of a coordinate
+  float max_turn;         ///< of a component of the rotation vector [rad]
+  std::int32_t n_amplitudes;
+  const Range* amplitudes;
+};
+
+/// Where the sixteen lanes stand that neighbours are drawn of.
+struct Chains {
+  float* position;  ///< as in Workspace
+  float* quaternion;
+  float* amplitudes;
+  float* energy;                  ///< (16)
+  float* jump_temperature;        ///< (16) width T of the neighbourhood
+  float* log_range;               ///< (16) log(1 + 1 / T)
+  float* acceptance_temperature;  ///< (16) [energy]
+  std::int32_t* random;           ///< (4 x 16) states of the random streams, not all zero
+};
+
 /// One variant of the kernels. All variants give the same bits.
 struct Functions {
   /// Legality and contact energy, eqs. (6) and (7), of the sixteen states.
   void (*evaluate)(const Program&, const Workspace&);
+  /// Draws a neighbour of each lane into the workspace, and the energy below which it is to be taken.
+  void (*propose)(const SearchBox&, const Chains&, const Workspace&);
   /// The clearance that PostureGrid holds, of the sixteen states' amplitudes; written to `energy`.
   void (*clear_itself)(const Program&, const Workspace&);
 };

@@ -3,9 +3,10 @@
 // The kernels for any processor; see CMakeLists.txt for the options that this file alone is compiled with.
 #include "planning/kernel/evaluate.hpp"
 #include "planning/kernel/lanes_baseline.hpp"
+#include "planning/kernel/propose.hpp"
 
 namespace eigengrasp::kernel {
 
-const Functions baseline_functions = {evaluate<Baseline>, clear_itself<Baseline>};
+const Functions baseline_functions = {evaluate<Baseline>, propose<Baseline>, clear_itself<Baseline>};
 
 }  // namespace eigengrasp::kernel

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The eigengrasp authors
+#pragma once
+
+#include <vector>
+
+#include "planning/candidate_test.hpp"
+#include "planning/plan_budget.hpp"
+
+namespace eigengrasp {
+
+/// A pre-grasp and what became of it when the fingers closed.
+struct TestedPreGrasp {
+  PreGrasp pregrasp;  ///< legal by exact meshes
+  CandidateResult result;
+};
+
+/// What a search found.
+struct SearchResult {
+  std::vector<TestedPreGrasp> kept;  ///< distinct, at most options.grasps
+  CandidateCounts candidates;        ///< of all that were closed
+  StateCounts states;
+  std::vector<SearchMilestone> milestones;  ///< of the annealer that found the best state
+};
+
+/// How far apart two pre-grasps of a hand must be.
+Distinctness distinctness_of(const HandModel& hand);
+
+/// Section III: one chain of annealing; the best distinct pre-grasps are closed at the end.
+SearchResult search_as_the_paper(const Annealer::Task& task, const PlanOptions& options, PlanBudget& budget);
+
+/// Rounds of many short chains. After each round the best pre-grasps that are new are closed. Those that
+/// close to form closure are preferred, and the next round begins near some of them as well as anywhere.
+SearchResult search_in_stages(const Annealer::Task& task, const PlanOptions& options, PlanBudget& budget);
+
+/// Closes pre-grasps on all threads, after making them legal by exact meshes; those that cannot be are left
+/// out.
+std::vector<TestedPreGrasp> test_all(const Annealer::Task& task, std::vector<PreGrasp> pregrasps,
+                                     const PlanOptions& options);
+
+/// Adds up what became of candidates.
+void count_outcomes(const std::vector<TestedPreGrasp>& tested, CandidateCounts& counts);
+
+/// Sums the states of annealers and takes the milestones of the best one.
+void summarise_annealers(const std::vector<Annealer>& annealers, SearchResult& result);
+
+}  // namespace eigengrasp
