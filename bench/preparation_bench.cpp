@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
-// What is made once of an object and of a hand, on one thread: distance fields, inner spheres of all links, and
-// the same from the cache on disk.
+// What is made once of an object and of a hand, on one thread: distance fields, inner spheres of all links,
+// and the same from the cache on disk.
 #include <benchmark/benchmark.h>
 #include <unistd.h>
 

@@ -86,6 +86,7 @@ Table2Options table2_options(const ReproduceChoice& choice) {
   options.seeds = choice.seeds;
   options.iterations = choice.iterations;
   options.threads = choice.threads;
+  options.cache = user_cache();
   options.log = warn;
   if (const auto violations = options.validate(); !violations.empty()) fail("{}", violations.front());
   return options;

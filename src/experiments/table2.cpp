@@ -22,6 +22,7 @@ PlanOptions plan_options(const Table2Options& options, SearchKind search, int se
   plan.threads = options.threads;
   plan.seed = static_cast<std::uint64_t>(seed);
   plan.search = search;
+  plan.cache = options.cache;
   plan.stop = options.stop;
   return plan;
 }

@@ -11,8 +11,8 @@ namespace {
 /// Sums over a node's triangles from which the directions of its box follow.
 struct Spread {
   double area = 0.0;
-  Vec3 first = Vec3::Zero();    ///< integral of position
-  Mat3 second = Mat3::Zero();   ///< integral of its outer product
+  Vec3 first = Vec3::Zero();   ///< integral of position
+  Mat3 second = Mat3::Zero();  ///< integral of its outer product
 
   void add(const Spread& s) {
     area += s.area;

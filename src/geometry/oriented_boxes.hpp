@@ -94,8 +94,8 @@ class PosedBoxes {
 
 /// Simultaneous descent of two hierarchies, the larger node first, then the nearer pair: calls
 /// visit(node of a, node of b) for the leaves for which and for all above them matters(gap, node of a, box of
-/// b) says so (which may change its mind meanwhile); gap is a lower bound of their distance [m]. Stops where visit
-/// returns true.
+/// b) says so (which may change its mind meanwhile); gap is a lower bound of their distance [m]. Stops where
+/// visit returns true.
 template <typename Matters, typename Visit>
 void descend(const MeshBvh& a, const MeshBvh& b, const Pose& X_AB, Matters matters, Visit visit) {
   struct NodePair {
@@ -125,11 +125,12 @@ void descend(const MeshBvh& a, const MeshBvh& b, const Pose& X_AB, Matters matte
     const bool split_a = nb.count > 0 || (na.count == 0 && largest(box_a.half) >= largest(box_b.half));
     const int first = top;
     for (int child = 0; child < 2; ++child) {
-      const NodePair next = split_a ? NodePair{na.left + child, pair.b, 0.0}
-                                    : NodePair{pair.a, nb.left + child, 0.0};
+      const NodePair next =
+          split_a ? NodePair{na.left + child, pair.b, 0.0} : NodePair{pair.a, nb.left + child, 0.0};
       const TurnedBox next_b = split_a ? box_b : posed.box(next.b);
       const double gap = gap_of(split_a ? turned(a.oriented_box(next.a)) : box_a, next_b);
-      if (matters(gap, a.nodes()[static_cast<std::size_t>(next.a)], next_b)) stack[top++] = {next.a, next.b, gap};
+      if (matters(gap, a.nodes()[static_cast<std::size_t>(next.a)], next_b))
+        stack[top++] = {next.a, next.b, gap};
     }
     if (top == first + 2 && stack[first].gap < stack[first + 1].gap)
       std::swap(stack[first], stack[first + 1]);

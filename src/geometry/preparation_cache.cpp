@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
-// A file: magic, version and mark of the byte order, size of the rest, checksum of the rest, then the key and the
-// values.
+// A file: magic, version and mark of the byte order, size of the rest, checksum of the rest, then the key and
+// the values.
 #include "eigengrasp/geometry/preparation_cache.hpp"
 
 #include <fmt/format.h>
@@ -152,10 +152,10 @@ DistanceField PreparationCache::field(const TriangleMesh& mesh, const MeshBvh& b
 DistanceField PreparationCache::field_of(const std::string& content_key, const MeshBvh& bvh,
                                          const DistanceFieldOptions& o) {
   if (bvh.empty()) return {};
-  const std::string key = fmt::format(
-      "field {} cell {:a} margins {:a} {:a} region {:a} {:a} {:a} {:a} {:a} {:a}", content_key, o.cell,
-      o.margin, o.far_margin, o.region.min.x(), o.region.min.y(), o.region.min.z(), o.region.max.x(),
-      o.region.max.y(), o.region.max.z());
+  const std::string key =
+      fmt::format("field {} cell {:a} margins {:a} {:a} region {:a} {:a} {:a} {:a} {:a} {:a}", content_key,
+                  o.cell, o.margin, o.far_margin, o.region.min.x(), o.region.min.y(), o.region.min.z(),
+                  o.region.max.x(), o.region.max.y(), o.region.max.z());
   {
     const std::scoped_lock lock(mutex_);
     if (const auto found = in_use_.find(key); found != in_use_.end())

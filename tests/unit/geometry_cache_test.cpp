@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
-// Fields of rescaled objects against fields made anew and exact distances; what the cache returns against what is
-// made anew, over damaged files, several writers and folders that cannot be written to.
+// Fields of rescaled objects against fields made anew and exact distances; what the cache returns against
+// what is made anew, over damaged files, several writers and folders that cannot be written to.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>

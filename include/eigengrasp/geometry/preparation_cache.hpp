@@ -19,13 +19,13 @@
 namespace eigengrasp {
 
 struct PreparationCacheOptions {
-  std::filesystem::path folder;                    ///< made where it is missing; empty: nothing on disk
+  std::filesystem::path folder;                        ///< made where it is missing; empty: nothing on disk
   std::uintmax_t max_bytes = std::uintmax_t{2} << 30;  ///< of the folder; the files unused longest go first
-  LogSink log = {};                                ///< hears once that the folder cannot be written to
+  LogSink log = {};                                    ///< hears once that the folder cannot be written to
 };
 
-/// Keeps what is made of meshes: distance fields and inner spheres. On disk, one file each, found by a hash of
-/// the mesh and the options; and in memory, distance fields that are still in use. What it returns is
+/// Keeps what is made of meshes: distance fields and inner spheres. On disk, one file each, found by a hash
+/// of the mesh and the options; and in memory, distance fields that are still in use. What it returns is
 /// bit-identical to what is made anew. Files that are damaged, foreign or of another version are as if they
 /// were not there; a folder that cannot be written to costs only time. Any number of threads and processes.
 class PreparationCache {
