@@ -18,19 +18,30 @@ struct CenteredBox {
   Vec3 half;
 };
 
-class FreeTimeSearch {
+CenteredBox centered(const Box& box) {
+  return {box.center(), 0.5 * box.size()};
+}
+
+/// The box along the frame's axes about an oriented one.
+CenteredBox aligned(const detail::TurnedBox& box) {
+  CenteredBox result{Vec3(box.center[0], box.center[1], box.center[2]), Vec3::Zero()};
+  for (int k = 0; k < 3; ++k) {
+    const detail::Float4 extents = box.half * detail::magnitude(box.rows[k]);
+    result.half[k] = 1.000001 * (extents[0] + extents[1] + extents[2]);
+  }
+  return result;
+}
+
+double radius_of(const detail::TurnedBox& box) {
+  const detail::Float4 squares = box.half * box.half;
+  return 1.000001 * std::sqrt(squares[0] + squares[1] + squares[2]);
+}
+
+/// What the joints of one surface may do to its points, to first order.
+class PointSpeeds {
  public:
-  FreeTimeSearch(const MeshBvh& a, const MeshBvh& b, const Pose& X_AB, const SurfaceMotion& motion,
-                 double margin, double horizon, const DistanceField& field)
-      : a_(a),
-        b_(b),
-        X_AB_(X_AB),
-        motion_(motion),
-        margin_(margin),
-        field_(field.empty() ? nullptr : &field) {
-    best_.time = horizon;
-    middle_ = X_AB * b.box().center();
-    for (const Screw& s : motion.joints) {
+  PointSpeeds(std::span<const Screw> joints, const Vec3& middle) : joints_(joints), middle_(middle) {
+    for (const Screw& s : joints) {
       const Vec3 v = s.velocity(middle_);
       forward_ += v.cwiseMax(Vec3::Zero());
       backward_ += v.cwiseMin(Vec3::Zero());
@@ -40,8 +51,69 @@ class FreeTimeSearch {
     }
   }
 
-  FreeTime run(PairHint* hint) {
+  bool still() const { return joints_.empty(); }
+
+  /// Largest speed in a ball.
+  double within(const Vec3& center, double radius) const {
+    return still() ? 0.0 : speed_ + spin_ * ((center - middle_).norm() + radius);
+  }
+
+  /// Adds t times the ranges of velocity in a box, along each axis.
+  void sweep(const CenteredBox& box, double t, Vec3& low, Vec3& high) const {
+    if (still()) return;
+    const Vec3 arm = (box.center - middle_).cwiseAbs() + box.half;
+    const Vec3 turned(turning_.y() * arm.z() + turning_.z() * arm.y(),
+                      turning_.z() * arm.x() + turning_.x() * arm.z(),
+                      turning_.x() * arm.y() + turning_.y() * arm.x());
+    low += t * (backward_ - turned);
+    high += t * (forward_ + turned);
+  }
+
+  /// Largest speed of any corner along the direction n.
+  double along(const TriangleCorners& t, const Vec3& n) const {
+    double a = 0.0;
+    double b = 0.0;
+    double c = 0.0;
+    for (const Screw& s : joints_) {
+      const double still = n.dot(s.linear);
+      const Vec3 m = n.cross(s.angular);  // n . (w x p) = (n x w) . p
+      a += std::max(0.0, still + m.dot(t.a));
+      b += std::max(0.0, still + m.dot(t.b));
+      c += std::max(0.0, still + m.dot(t.c));
+    }
+    return std::max({a, b, c});
+  }
+
+ private:
+  std::span<const Screw> joints_;
+  Vec3 middle_;
+  Vec3 forward_ = Vec3::Zero();   ///< velocity of the middle: of the joints that move it along each axis
+  Vec3 backward_ = Vec3::Zero();  ///< and of those that move it against it
+  Vec3 turning_ = Vec3::Zero();   ///< sums of the joints' angular speeds about each axis
+  double speed_ = 0.0;            ///< of the middle
+  double spin_ = 0.0;
+};
+
+class FreeTimeSearch {
+ public:
+  FreeTimeSearch(const MeshBvh& a, const MeshBvh& b, const Pose& X_AB, const SurfaceMotion& motion,
+                 double margin, double horizon, const DistanceField& field)
+      : a_(a),
+        b_(b),
+        X_AB_(X_AB),
+        speeds_a_(motion.of_a, a.box().center()),
+        speeds_b_(motion.of_b, X_AB * b.box().center()),
+        acceleration_(motion.acceleration),
+        margin_(margin),
+        field_(field.empty() ? nullptr : &field) {
+    best_.time = horizon;
+    fastest_ = speeds_a_.within(a.box().center(), 0.5 * a.box().size().norm()) +
+               speeds_b_.within(X_AB * b.box().center(), 0.5 * b.box().size().norm());
+  }
+
+  FreeTime run(PairHint* hint, double touching) {
     if (hint && hint->triangle_a >= 0) visit(hint->triangle_a, hint->triangle_b, posed(hint->triangle_b));
+    if (best_.distance <= touching) return best_;
     detail::descend(
         a_, b_, X_AB_,
         [this](double gap, const MeshBvh::Node& na, const detail::TurnedBox& box) {
@@ -58,41 +130,29 @@ class FreeTimeSearch {
     return {X_AB_ * c.a, X_AB_ * c.b, X_AB_ * c.c};
   }
 
-  /// Where the box may get until the best time, with the margin about it.
-  Box swept(const CenteredBox& box) const {
-    const double t = best_.time;
-    const Vec3 arm = (box.center - middle_).cwiseAbs() + box.half;
-    const Vec3 turned(turning_.y() * arm.z() + turning_.z() * arm.y(),
-                      turning_.z() * arm.x() + turning_.x() * arm.z(),
-                      turning_.x() * arm.y() + turning_.y() * arm.x());
-    const Vec3 reach = box.half + t * turned + Vec3::Constant(0.5 * motion_.acceleration * t * t + margin_);
-    return {box.center - reach + t * backward_, box.center + reach + t * forward_};
+  double reserve() const { return margin_ + 0.5 * acceleration_ * best_.time * best_.time; }
+
+  /// How far what is in two boxes may come together along each axis until the best time: from `low` to
+  /// `high`.
+  struct Sweep {
+    Vec3 low;
+    Vec3 high;
+  };
+  Sweep sweep_of(const CenteredBox& a, const CenteredBox& b) const {
+    Sweep sweep{Vec3::Constant(-reserve()), Vec3::Constant(reserve())};
+    speeds_b_.sweep(b, best_.time, sweep.low, sweep.high);
+    speeds_a_.sweep(a, -best_.time, sweep.high, sweep.low);
+    return sweep;
   }
 
-  static bool apart(const Box& a, const Box& b) {
-    return a.min.x() > b.max.x() || b.min.x() > a.max.x() || a.min.y() > b.max.y() || b.min.y() > a.max.y() ||
-           a.min.z() > b.max.z() || b.min.z() > a.max.z();
+  static bool stay_apart(const Box& a, const Box& b, const Sweep& sweep) {
+    return ((a.min.array() > (b.max + sweep.high).array()) || ((b.min + sweep.low).array() > a.max.array()))
+        .any();
   }
 
-  /// Largest speed against the direction n that any corner can have.
-  double closing_rate(const TriangleCorners& t, const Vec3& n) const {
-    double a = 0.0;
-    double b = 0.0;
-    double c = 0.0;
-    for (const Screw& s : motion_.joints) {
-      const double still = -n.dot(s.linear);
-      const Vec3 m = s.angular.cross(n);  // n . (w x p) = -(w x n) . p
-      a += std::max(0.0, still + m.dot(t.a));
-      b += std::max(0.0, still + m.dot(t.b));
-      c += std::max(0.0, still + m.dot(t.c));
-    }
-    return std::max({a, b, c});
-  }
-
-  /// Whether the plane of triangle s keeps t away for longer than the best time. sign: -1 where t is the one
-  /// that stands still.
-  bool plane_keeps(const TriangleCorners& s, const TriangleCorners& t, const TriangleCorners& moving,
-                   double sign) const {
+  /// Time for which the plane of triangle s keeps t away; infinite as soon as that is longer than the best.
+  /// side: 1 where s is of a, -1 where it is of b.
+  double time_of_plane(const TriangleCorners& s, const TriangleCorners& t, double side) const {
     Vec3 n = (s.b - s.a).cross(s.c - s.a);
     const double da = n.dot(t.a - s.a);
     const double db = n.dot(t.b - s.a);
@@ -101,26 +161,34 @@ class FreeTimeSearch {
     const double nearest = above ? std::min({da, db, dc}) : -std::max({da, db, dc});
     const double length2 = n.squaredNorm();
     if (!(nearest > 0.0) || !(length2 > 1e-16 * (s.b - s.a).squaredNorm() * (s.c - s.a).squaredNorm()))
-      return false;
+      return 0.0;
     const double length = std::sqrt(length2);
-    const double t_best = best_.time;
-    const double left = nearest / length - margin_ - 0.5 * motion_.acceleration * t_best * t_best;
-    if (left <= 0.0) return false;
-    n *= (above ? sign : -sign) / length;
-    return closing_rate(moving, n) * t_best < left;
+    const double gap = nearest / length - margin_;
+    if (gap <= 0.0) return 0.0;
+    n *= (above ? side : -side) / length;
+    const double rate = closing_rate(side > 0.0 ? s : t, side > 0.0 ? t : s, n);
+    if (best_.time * (rate + 0.5 * acceleration_ * best_.time) < gap)
+      return std::numeric_limits<double>::infinity();
+    return time_to_close(gap, rate, acceleration_);
+  }
+
+  /// How fast two triangles can close their gap along the direction n from a to b.
+  double closing_rate(const TriangleCorners& s, const TriangleCorners& t, const Vec3& n) const {
+    return speeds_a_.along(s, n) + speeds_b_.along(t, -n);
   }
 
   /// True where the search is over: the surfaces cross.
   bool visit(int ta, int tb, const TriangleCorners& t) {
     const TriangleCorners& s = a_.corners(ta);
-    if (plane_keeps(s, t, t, 1.0) || plane_keeps(t, s, t, -1.0)) return false;
+    double time = time_of_plane(s, t, 1.0);
+    if (time < best_.time) time = std::max(time, time_of_plane(t, s, -1.0));
+    if (time >= best_.time) return false;
     Vec3 p;
     Vec3 q;
     const double d = closest_points_of_triangles(s, t, p, q);
-    double time = 0.0;
     if (d > 0.0) {
-      const Vec3 n = (q - p) / d;
-      time = time_to_close(d - std::min(margin_, 0.5 * d), closing_rate(t, n), motion_.acceleration);
+      const double rate = closing_rate(s, t, (q - p) / d);
+      time = std::max(time, time_to_close(d - std::min(margin_, 0.5 * d), rate, acceleration_));
     }
     if (time < best_.time) {
       best_ = {time, d};
@@ -132,56 +200,63 @@ class FreeTimeSearch {
   /// Whether what is in the box of b, with a gap to the node of a, may come within the margin of it before
   /// the best time: not if no motion is fast enough for the gap, not if none goes that way, and not if the
   /// field knows better.
-  bool matters(double gap, const MeshBvh::Node& na, const detail::TurnedBox& box) const {
-    const double t = best_.time;
-    const Vec3 center(box.center[0], box.center[1], box.center[2]);
-    const double radius =
-        std::sqrt(box.half[0] * box.half[0] + box.half[1] * box.half[1] + box.half[2] * box.half[2]);
-    const double speed = speed_ + spin_ * ((center - middle_).norm() + radius);
-    const double reach = margin_ + t * (speed + 0.5 * motion_.acceleration * t);
-    if (gap > reach) return false;
-    Vec3 half;
-    for (int k = 0; k < 3; ++k) {
-      const detail::Float4 extents = box.half * detail::magnitude(box.rows[k]);
-      half[k] = 1.000001 * (extents[0] + extents[1] + extents[2]);
+  bool matters(double gap, const MeshBvh::Node& na, const detail::TurnedBox& turned) const {
+    // What overlaps at rest may meet in motion.
+    if (gap > reserve() + best_.time * fastest_) return false;
+    const Vec3 center(turned.center[0], turned.center[1], turned.center[2]);
+    const double radius = radius_of(turned);
+    double reach = reserve();
+    if (gap > reach) {
+      reach += best_.time * speeds_b_.within(center, radius);
+      if (!speeds_a_.still())
+        reach += best_.time * speeds_a_.within(na.box.center(), 0.5 * na.box.size().norm());
+      if (gap > reach) return false;
     }
-    if (apart(na.box, swept({center, half}))) return false;
-    return !field_ || certain_distance(*field_, center) <= 1.000001 * radius + reach;
+    // Where little moves, or the box is small beside the cells of the field, the rest tells no more.
+    if (best_.time * fastest_ > 0.1 * radius) {
+      const CenteredBox b = aligned(turned);
+      const Box box{b.center - b.half, b.center + b.half};
+      if (stay_apart(na.box, box, sweep_of(centered(na.box), b))) return false;
+    }
+    return !field_ || radius < 1.5 * field_->fine().cell ||
+           certain_distance(*field_, center) <=
+               radius + reserve() + best_.time * speeds_b_.within(center, radius);
   }
 
   bool visit_leaves(const MeshBvh::Node& na, const MeshBvh::Node& nb) {
-    for (int j = nb.left; j < nb.left + nb.count; ++j) {
-      const int tb = b_.triangle_at(j);
-      const TriangleCorners t = posed(tb);
-      const Vec3 low = t.a.cwiseMin(t.b).cwiseMin(t.c);
-      const Vec3 high = t.a.cwiseMax(t.b).cwiseMax(t.c);
-      const CenteredBox box{0.5 * (low + high), 0.5 * (high - low)};
-      Box sweep = swept(box);
-      if (apart(na.box, sweep)) continue;
-      for (int i = na.left; i < na.left + na.count; ++i) {
-        const int ta = a_.triangle_at(i);
-        const TriangleCorners& s = a_.corners(ta);
-        const Box of_s{s.a.cwiseMin(s.b).cwiseMin(s.c), s.a.cwiseMax(s.b).cwiseMax(s.c)};
-        if (apart(of_s, sweep)) continue;
-        if (visit(ta, tb, t)) return true;
-        sweep = swept(box);
-      }
+    constexpr int most = 8;  // triangles of a leaf
+    TriangleCorners ts[most];
+    Box boxes[most];
+    Box all;
+    for (int j = 0; j < nb.count; ++j) {
+      ts[j] = posed(b_.triangle_at(nb.left + j));
+      boxes[j] = box_about(ts[j]);
+      all.add(boxes[j]);
+    }
+    const Sweep sweep = sweep_of(centered(na.box), centered(all));
+    for (int i = na.left; i < na.left + na.count; ++i) {
+      const int ta = a_.triangle_at(i);
+      const Box box_a = box_about(a_.corners(ta));
+      if (stay_apart(box_a, all, sweep)) continue;
+      for (int j = 0; j < nb.count; ++j)
+        if (!stay_apart(box_a, boxes[j], sweep) && visit(ta, b_.triangle_at(nb.left + j), ts[j])) return true;
     }
     return false;
+  }
+
+  static Box box_about(const TriangleCorners& t) {
+    return {t.a.cwiseMin(t.b).cwiseMin(t.c), t.a.cwiseMax(t.b).cwiseMax(t.c)};
   }
 
   const MeshBvh& a_;
   const MeshBvh& b_;
   const Pose& X_AB_;
-  SurfaceMotion motion_;
+  PointSpeeds speeds_a_;
+  PointSpeeds speeds_b_;
+  double acceleration_;
+  double fastest_;  ///< bound of how fast any two points come together at first
   double margin_;
   const DistanceField* field_;  ///< of a; may be absent
-  Vec3 middle_;
-  Vec3 forward_ = Vec3::Zero();   ///< of the middle: what joints that move it along each axis add up to
-  Vec3 backward_ = Vec3::Zero();  ///< and those that move it against it
-  Vec3 turning_ = Vec3::Zero();   ///< sums of the joints' angular speeds about each axis
-  double speed_ = 0.0;            ///< of the middle
-  double spin_ = 0.0;
   FreeTime best_;
   PairHint nearest_;
 };
@@ -208,9 +283,40 @@ double time_to_close(double gap, double rate, double acceleration) {
 }
 
 FreeTime compute_free_time(const MeshBvh& a, const MeshBvh& b, const Pose& X_AB, const SurfaceMotion& motion,
-                           double margin, double horizon, PairHint* hint, const DistanceField& field) {
+                           double margin, double horizon, PairHint* hint, const DistanceField& field,
+                           double touching) {
   if (a.empty() || b.empty()) return {horizon, std::numeric_limits<double>::infinity()};
-  return FreeTimeSearch(a, b, X_AB, motion, margin, horizon, field).run(hint);
+  return FreeTimeSearch(a, b, X_AB, motion, margin, horizon, field).run(hint, touching);
+}
+
+double compute_rough_free_time(const DistanceField& field, const MeshBvh& b, const Pose& X_AB,
+                               const SurfaceMotion& motion, double margin, double horizon) {
+  if (b.empty()) return horizon;
+  constexpr double small = 0.004;  // [m] smaller parts tell hardly more, beside the error of the field
+  const detail::PosedBoxes posed(b, b, X_AB);
+  const PointSpeeds speeds(motion.of_b, X_AB * b.box().center());
+  double best = horizon;
+  int stack[128];
+  int top = 0;
+  stack[top++] = 0;
+  while (top > 0) {
+    const int node = stack[--top];
+    const detail::TurnedBox box = posed.box(node);
+    const Vec3 center(box.center[0], box.center[1], box.center[2]);
+    const double radius = radius_of(box);
+    const double time = time_to_close(certain_distance(field, center) - radius - margin,
+                                      speeds.within(center, radius), motion.acceleration);
+    if (time >= best) continue;
+    const MeshBvh::Node& n = b.nodes()[static_cast<std::size_t>(node)];
+    if (n.count > 0 || radius < small) {
+      best = time;
+      if (best == 0.0) break;
+    } else {
+      stack[top++] = n.left;
+      stack[top++] = n.left + 1;
+    }
+  }
+  return best;
 }
 
 }  // namespace eigengrasp

@@ -6,6 +6,7 @@
 
 #include "eigengrasp/contact/material.hpp"
 #include "eigengrasp/geometry/curvature.hpp"
+#include "eigengrasp/geometry/mesh_motion.hpp"
 #include "grasp/contact_patches.hpp"
 
 namespace eigengrasp {
@@ -40,7 +41,9 @@ std::vector<GraspContact> find_contacts(const CollisionModel& model, const std::
   for (std::size_t i = 0; i < X_OL.size(); ++i) {
     const auto& surface = model.surfaces().links[i];
     if (surface.empty()) continue;
-    if (model.distance_to_object(static_cast<int>(i), X_OL[i], options.threshold) > options.threshold)
+    if (!model.object_field().empty() &&
+        certain_distance(model.object_field(), X_OL[i] * surface.bound.center) >
+            surface.bound.radius + options.threshold)
       continue;
     const HandLink& link = scene.hand->links[i];
     const auto touches = find_touch_points(scene.object->bvh, surface.bvh, X_OL[i], options.threshold);

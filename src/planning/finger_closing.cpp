@@ -24,15 +24,15 @@ struct Pair {
   int other;                ///< obstacle or second link
   double free_until = 0.0;  ///< time up to which the two are sure to be apart [s]
   PairHint hint = {};
-  int first_joint = 0;  ///< of its joints in the list of all pairs
-  int n_joints = 0;
+  int first_joint = 0;  ///< of the joints that move the other surface, then the link, in the list of all
+  int first_of_link = 0;
+  int end_joint = 0;
 };
 
-/// A joint between the two surfaces of a pair, from the second one outwards to the link.
+/// A joint that moves one surface of a pair and not the other; each surface's from the base outwards.
 struct PairJoint {
   int joint;
-  double sign;   ///< -1 where it moves the second surface and not the link
-  double reach;  ///< from its frame's origin to any point of the link, in any posture [m]
+  double reach;  ///< from its frame's origin to any point of the surface, in any posture [m]
 };
 
 /// Each pair is looked at when the time runs out for which it was last found to be apart, and never else: a
@@ -72,9 +72,9 @@ class FingerCloser {
       if (!(t < motion_.end())) break;
       if (steps == options_.max_steps) return t;
       ++steps;
-      const FreeTime free = look(next, t);
-      if (free.distance > options_.contact_gap) continue;
-      if (free.time < least_progress * tick_ || presses(next, t)) stop(next, t);
+      if (look(next, t, options_.contact_gap).distance > options_.contact_gap) continue;
+      // Where they touch, either the motion presses, or they slide as far as that is free.
+      if (presses(next, t) || look(next, t).time < least_progress * tick_) stop(next, t);
     }
     return motion_.end();
   }
@@ -100,31 +100,34 @@ class FingerCloser {
   }
 
   void add_pair(Pair p) {
-    p.first_joint = static_cast<int>(pair_joints_.size());
-    int b = p.link;
-    int a = p.kind == Pair::Kind::links ? p.other : 0;
-    const double extent = surface(p.link).bound.center.norm() + surface(p.link).bound.radius;
-    const auto parent = [&](int link) {
-      return hand_.joints[static_cast<std::size_t>(link - 1)].parent_link;
-    };
-    const auto length_to = [&](int link) { return length_to_[static_cast<std::size_t>(link)]; };
-    std::vector<int> up;
-    std::vector<int> down;
-    while (a != b) {  // parents have smaller numbers: both come up to the link where the two branch
-      int& further = a > b ? a : b;
-      (a > b ? up : down).push_back(further);
-      further = parent(further);
+    int common = 0;  // the link from which the branches of both start
+    if (p.kind == Pair::Kind::links) {
+      common = p.link;
+      for (int other = p.other; common != other;)  // parents have smaller numbers
+        (common > other ? common : other) = parent(std::max(common, other));
     }
-    const auto add = [&](int link, double sign, double reach) {
-      if (motion_.rate(link - 1, 0.0) != 0.0) pair_joints_.push_back({link - 1, sign, reach});
-    };
-    for (const int link : up)
-      add(link, -1.0, length_to(link) - 2.0 * length_to(a) + length_to(p.link) + extent);
-    for (auto link = down.rbegin(); link != down.rend(); ++link)
-      add(*link, 1.0, length_to(p.link) - length_to(*link) + extent);
-    p.n_joints = static_cast<int>(pair_joints_.size()) - p.first_joint;
+    p.first_joint = static_cast<int>(pair_joints_.size());
+    if (p.kind == Pair::Kind::links) add_branch(common, p.other);
+    p.first_of_link = static_cast<int>(pair_joints_.size());
+    add_branch(common, p.link);
+    p.end_joint = static_cast<int>(pair_joints_.size());
     pairs_.push_back(p);
   }
+
+  /// The joints that move between a link and one further up.
+  void add_branch(int from, int to) {
+    const Sphere& bound = surface(to).bound;
+    const auto first = static_cast<std::ptrdiff_t>(pair_joints_.size());
+    for (int link = to; link != from; link = parent(link)) {
+      const double length =
+          length_to_[static_cast<std::size_t>(to)] - length_to_[static_cast<std::size_t>(link)];
+      if (motion_.rate(link - 1, 0.0) != 0.0)
+        pair_joints_.push_back({link - 1, length + bound.center.norm() + bound.radius});
+    }
+    std::reverse(pair_joints_.begin() + first, pair_joints_.end());
+  }
+
+  int parent(int link) const { return hand_.joints[static_cast<std::size_t>(link - 1)].parent_link; }
 
   const HandSurfaces::LinkSurface& surface(int link) const {
     return model_.surfaces().links[static_cast<std::size_t>(link)];
@@ -152,40 +155,46 @@ class FingerCloser {
     }
   }
 
-  /// How the link moves relative to the other surface, in the object's frame.
-  SurfaceMotion relative_motion(const Pair& p, double t) {
-    screws_.clear();
+  /// How the two surfaces move, in the object's frame.
+  SurfaceMotion motion_of(const Pair& p, double t) {
+    screws_a_.clear();
+    screws_b_.clear();
+    double acceleration = add_screws(p.first_joint, p.first_of_link, t, screws_a_);
+    acceleration += add_screws(p.first_of_link, p.end_joint, t, screws_b_);
+    return {screws_a_, screws_b_, acceleration};
+  }
+
+  /// Returns a bound of what a point's acceleration ever comes to.
+  double add_screws(int first, int end, double t, std::vector<Screw>& screws) {
     double acceleration = 0.0;
     double turning = 0.0;  // of the joints so far
-    for (int k = p.first_joint; k < p.first_joint + p.n_joints; ++k) {
+    for (int k = first; k < end; ++k) {
       const PairJoint& pj = pair_joints_[static_cast<std::size_t>(k)];
-      const double rate = pj.sign * motion_.rate(pj.joint, t);
+      const double rate = motion_.rate(pj.joint, t);
       if (rate == 0.0) continue;
       const HandJoint& joint = hand_.joints[static_cast<std::size_t>(pj.joint)];
       const Pose& X_OJ = motion_.pose(pj.joint + 1, t);
       const Vec3 axis = rate * (X_OJ.linear() * joint.axis_J);
       if (joint.type == JointType::prismatic) {
-        screws_.push_back({Vec3::Zero(), axis});
+        screws.push_back({Vec3::Zero(), axis});
         acceleration += 2.0 * turning * std::abs(rate);
       } else {
-        screws_.push_back({axis, X_OJ.translation().cross(axis)});
+        screws.push_back({axis, X_OJ.translation().cross(axis)});
         acceleration += pj.reach * std::abs(rate) * (std::abs(rate) + 2.0 * turning);
         turning += std::abs(rate);
       }
     }
-    return {screws_, acceleration};
+    return acceleration;
   }
 
-  /// Looks how long the pair is free from time t on.
-  FreeTime look(Pair& p, double t) {
-    const SurfaceMotion motion = relative_motion(p, t);
-    FreeTime free;
-    if (t > 0.0 && motion.joints.empty()) {
-      p.free_until = infinity;
-      return {infinity, infinity};
+  /// Looks how long the pair is free from time t on, or only whether it touches where it is seen to.
+  FreeTime look(Pair& p, double t, double touching = -1.0) {
+    const SurfaceMotion motion = motion_of(p, t);
+    FreeTime free{infinity, infinity};
+    if (t == 0.0 || !motion.still()) {
+      free.time = rough_time(p, motion, t);
+      if (free.time < tick_) free = time_of_surfaces(p, motion, t, touching);
     }
-    free.time = p.kind == Pair::Kind::links ? time_of_bounds(p, motion, t) : 0.0;
-    if (free.time < tick_) free = time_of_surfaces(p, motion, t);
     p.free_until = t + free.time;
     // Pairs that are looked at together share the poses.
     if (free.time > tick_) p.free_until = std::floor(p.free_until / tick_) * tick_;
@@ -194,45 +203,57 @@ class FingerCloser {
 
   double margin() const { return 0.5 * options_.contact_gap; }
 
-  /// Free time of the two links' bounding spheres.
+  /// Free time of the object's field and parts of the link, or of two links' bounding spheres.
+  double rough_time(const Pair& p, const SurfaceMotion& motion, double t) {
+    if (p.kind == Pair::Kind::links) return time_of_bounds(p, motion, t);
+    if (p.kind == Pair::Kind::obstacle || model_.object_field().empty()) return 0.0;
+    return compute_rough_free_time(model_.object_field(), surface(p.link).bvh, motion_.pose(p.link, t),
+                                   motion, margin(), infinity);
+  }
+
   double time_of_bounds(const Pair& p, const SurfaceMotion& motion, double t) {
     const Sphere& a = surface(p.other).bound;
     const Sphere& b = surface(p.link).bound;
-    const Vec3 at = motion_.pose(p.link, t) * b.center;
-    const Vec3 line = at - motion_.pose(p.other, t) * a.center;
-    const double length = line.norm();
+    const Vec3 at_a = motion_.pose(p.other, t) * a.center;
+    const Vec3 at_b = motion_.pose(p.link, t) * b.center;
+    const double length = (at_b - at_a).norm();
     const double gap = length - a.radius - b.radius - margin();
     if (gap <= 0.0) return 0.0;
-    const Vec3 n = line / length;
+    const Vec3 n = (at_b - at_a) / length;
     double rate = 0.0;
-    for (const Screw& s : motion.joints)
-      rate += std::max(0.0, b.radius * n.cross(s.angular).norm() - n.dot(s.velocity(at)));
+    for (const Screw& s : motion.of_a)
+      rate += std::max(0.0, a.radius * n.cross(s.angular).norm() + n.dot(s.velocity(at_a)));
+    for (const Screw& s : motion.of_b)
+      rate += std::max(0.0, b.radius * n.cross(s.angular).norm() - n.dot(s.velocity(at_b)));
     return time_to_close(gap, rate, motion.acceleration);
   }
 
-  FreeTime time_of_surfaces(Pair& p, SurfaceMotion motion, double t) {
+  FreeTime time_of_surfaces(Pair& p, const SurfaceMotion& motion, double t, double touching) {
     const Pose& X_OL = motion_.pose(p.link, t);
-    const double horizon = std::min(time_to_close(p.kind == Pair::Kind::object ? look_ahead2 : look_ahead,
-                                                  speed(p, motion, t), motion.acceleration),
-                                    horizon_ticks * tick_);
+    const double horizon =
+        std::min(time_to_close(look_ahead, speed(p, motion, t), motion.acceleration), horizon_ticks * tick_);
     if (p.kind == Pair::Kind::object)
       return compute_free_time(other_surface(p), surface(p.link).bvh, X_OL, motion, margin(), horizon,
-                               &p.hint, model_.object_field());
+                               &p.hint, model_.object_field(), touching);
     const Pose X_OS = other_pose(p, t);
     const Mat3 R_SO = X_OS.linear().transpose();
-    for (Screw& s : screws_)  // those of the motion
-      s = {R_SO * s.angular, R_SO * s.velocity(X_OS.translation())};
+    for (std::vector<Screw>* screws :
+         {&screws_a_, &screws_b_})  // those of the motion, in the surface's frame
+      for (Screw& s : *screws) s = {R_SO * s.angular, R_SO * s.velocity(X_OS.translation())};
     return compute_free_time(other_surface(p), surface(p.link).bvh, X_OS.inverse() * X_OL, motion, margin(),
-                             horizon, &p.hint);
+                             horizon, &p.hint, {}, touching);
   }
 
-  /// Bound of the speed of the link's points [m/s].
+  /// Bound of the speed at which points of the two come together [m/s].
   double speed(const Pair& p, const SurfaceMotion& motion, double t) {
-    const Sphere& bound = surface(p.link).bound;
-    const Vec3 middle = motion_.pose(p.link, t) * bound.center;
-    double speed = 0.0;
-    for (const Screw& s : motion.joints) speed += s.velocity(middle).norm() + bound.radius * s.angular.norm();
-    return speed;
+    const auto of = [&](int link, std::span<const Screw> joints) {
+      const Sphere& bound = surface(link).bound;
+      const Vec3 middle = motion_.pose(link, t) * bound.center;
+      double sum = 0.0;
+      for (const Screw& s : joints) sum += s.velocity(middle).norm() + bound.radius * s.angular.norm();
+      return sum;
+    };
+    return of(p.link, motion.of_b) + (motion.of_a.empty() ? 0.0 : of(p.other, motion.of_a));
   }
 
   /// Whether the motion presses the pair together at one of the points in which it touches.
@@ -241,25 +262,25 @@ class FingerCloser {
     const Pose X_SL = X_OS.inverse() * motion_.pose(p.link, t);
     const auto touches =
         find_touch_points(other_surface(p), surface(p.link).bvh, X_SL, 1.2 * options_.contact_gap);
-    const SurfaceMotion motion = relative_motion(p, t);
+    const SurfaceMotion motion = motion_of(p, t);
     const double least = 1e-4 * speed(p, motion, t);
     return std::any_of(touches.begin(), touches.end(), [&](const TouchPoint& touch) {
       Vec3 velocity = Vec3::Zero();
-      for (const Screw& s : motion.joints) velocity += s.velocity(X_OS * touch.p);
+      for (const Screw& s : motion.of_b) velocity += s.velocity(X_OS * touch.p);
+      for (const Screw& s : motion.of_a) velocity -= s.velocity(X_OS * touch.p);
       return velocity.dot(X_OS.linear() * touch.n) > least;
     });
   }
 
   /// Stops the moving joints between the pair's links, or between the link and the base.
   void stop(Pair& p, double t) {
-    for (int k = p.first_joint; k < p.first_joint + p.n_joints; ++k)
+    for (int k = p.first_joint; k < p.end_joint; ++k)
       motion_.stop(pair_joints_[static_cast<std::size_t>(k)].joint, t);
     p.free_until = infinity;
   }
 
-  static constexpr double tick_turn = 0.05;  // [rad or m] of the fastest joint
-  static constexpr double look_ahead2 = 0.005;
-  static constexpr double look_ahead = 0.004;
+  static constexpr double tick_turn = 0.05;    // [rad or m] of the fastest joint
+  static constexpr double look_ahead = 0.004;  // [m] of motion: further is dear to search
   static constexpr double horizon_ticks = 4.0;
   static constexpr double least_progress = 1e-5;  // ticks: a slide that gets no further ends
 
@@ -272,7 +293,8 @@ class FingerCloser {
   std::vector<double> length_to_;  ///< of the straightened chain from the base to each link [m]
   std::vector<Pair> pairs_;
   std::vector<PairJoint> pair_joints_;
-  std::vector<Screw> screws_;
+  std::vector<Screw> screws_a_;
+  std::vector<Screw> screws_b_;
 };
 
 }  // namespace

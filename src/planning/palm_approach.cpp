@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "eigengrasp/geometry/mesh_motion.hpp"
 #include "eigengrasp/kinematics/forward_kinematics.hpp"
 
 namespace eigengrasp {
@@ -34,13 +35,35 @@ Pose shifted(const Pose& X, const Vec3& by) {
   return moved;
 }
 
+/// How far the link, posed at X_OL, is free to move along the direction.
+FreeTime look(const CollisionModel& model, Course& course, const Pose& X_OL, const Vec3& direction_O,
+              double margin) {
+  constexpr double look_ahead = 0.010;  // [m]
+  const Scene& scene = model.scene();
+  const bool is_object = course.obstacle < 0;
+  const Obstacle* obstacle =
+      is_object ? nullptr : &scene.obstacles[static_cast<std::size_t>(course.obstacle)];
+  const Pose X_OS = is_object ? Pose::Identity() : obstacle->X_OB;
+  const MeshBvh& solid = is_object ? scene.object->bvh : obstacle->model->bvh;
+  const MeshBvh& link = model.surfaces().links[static_cast<std::size_t>(course.link)].bvh;
+  const Pose X_SL = X_OS.inverse() * X_OL;
+  const Screw screw{Vec3::Zero(), X_OS.linear().transpose() * direction_O};
+  const SurfaceMotion motion{{}, {&screw, 1}, 0.0};
+  const DistanceField none;
+  const DistanceField& field = is_object ? model.object_field() : none;
+  if (!field.empty()) {
+    const double rough = compute_rough_free_time(field, link, X_SL, motion, margin, 1.0);
+    if (rough > look_ahead) return {rough};
+  }
+  return compute_free_time(solid, link, X_SL, motion, margin, look_ahead, &course.hint, field);
+}
+
 }  // namespace
 
-// Every point moves as far as the hand does, so that a distance is also a free travel. Always the course that
-// is known to be free the shortest way is looked at anew.
+// At unit speed times are lengths. Always the course that is known to be free the shortest way is looked at
+// anew.
 PalmApproach approach_until_contact(const CollisionModel& model, const Pose& X_OH, const VecX& joints,
                                     double max_travel, double contact_gap) {
-  constexpr double exact_below = 0.010;  // [m]
   const HandModel& hand = *model.scene().hand;
   const Vec3 direction_O = X_OH.linear() * hand.approach_direction_H;
   std::vector<Pose> X_OL;
@@ -54,15 +77,13 @@ PalmApproach approach_until_contact(const CollisionModel& model, const Pose& X_O
     });
     if (next.free_until >= max_travel) break;
     const Pose X = shifted(X_OL[static_cast<std::size_t>(next.link)], next.free_until * direction_O);
-    const double distance =
-        next.obstacle < 0 ? model.distance_to_object(next.link, X, exact_below, &next.hint)
-                          : model.distance_to_obstacle(next.obstacle, next.link, X, exact_below, &next.hint);
-    if (distance <= contact_gap) {
+    const FreeTime free = look(model, next, X, direction_O, 0.5 * contact_gap);
+    if (free.distance <= contact_gap) {
       result.travel = next.free_until;
       result.touches = true;
       break;
     }
-    next.free_until += distance - 0.5 * contact_gap;
+    next.free_until += free.time;
   }
   result.X_OH = shifted(X_OH, result.travel * direction_O);
   return result;

@@ -8,16 +8,14 @@ namespace eigengrasp {
 
 struct ClosingOptions {
   double contact_gap = 0.0001;  ///< a link whose distance is at most this touches [m]
-  double slide_step =
-      0.01;              ///< largest joint motion of a step while a link slides along what it touches [rad]
-  int max_steps = 5000;  ///< safety net; about 50-200 are needed
+  int max_steps = 20000;        ///< safety net, looks at pairs of surfaces; about 500 are needed
 };
 
 struct ClosedHand {
-  VecX joints;             ///< (n_joints) at the end
-  VecX dofs;               ///< (n_dof), see posture_of_joints
-  std::vector<Pose> X_OL;  ///< (n_links)
-  int steps = 0;
+  VecX joints;                        ///< (n_joints) at the end
+  VecX dofs;                          ///< (n_dof), see posture_of_joints
+  std::vector<Pose> X_OL;             ///< (n_links)
+  int steps = 0;                      ///< looks at pairs of surfaces
   bool started_in_collision = false;  ///< then nothing was moved
 };
 
@@ -25,9 +23,11 @@ struct ClosedHand {
 /// obstacle or another link, or a limit, stops it. A contact that its link's motion presses on stops all
 /// joints between that link and the base; the joints beyond go on. A rigid degree of freedom stops with the
 /// first of its joints, a break-away one lets each go on for itself. Contacts that slide or open do not stop
-/// anything. The wrist and the object stay where they are. By conservative advancement: steps as long as
-/// clearance over the largest speed of a link's points allows, so that nothing is ever passed through;
-/// contacts end within contact_gap, without penetration. Deterministic.
+/// anything; a slide that can get no further ends. The wrist and the object stay where they are. By
+/// conservative advancement: of every two surfaces it is known until when they are sure to be apart, and they
+/// are looked at again then, so that nothing is ever passed through; contacts end within contact_gap, without
+/// penetration. Deterministic; with and without distance fields the steps differ, and the result by less than
+/// the gap. Cost: 1-4 ms for a hand of 16 links of 600 triangles each.
 /// @param posture (n_dof) of the pre-grasp, free of collision
 ClosedHand close_fingers(const CollisionModel& model, const Pose& X_OH, const VecX& posture,
                          const ClosingOptions& options = {});

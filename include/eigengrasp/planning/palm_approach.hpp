@@ -13,12 +13,13 @@ struct PalmApproach {
   bool touches = false;          ///< stopped by the object or an obstacle, not by the end of the travel
 };
 
-/// Moves the hand along its approach direction, fingers held as they are, until a link is within contact_gap
-/// of the object or of an obstacle, or the travel ends. By conservative advancement on exact distances:
-/// nothing is passed through, and the hand does not penetrate where it stops. A hand that touches or
-/// penetrates at the start stays there.
+/// Moves the hand along its approach direction, fingers held as they are, until that brings a link within
+/// contact_gap of the object or of an obstacle, or the travel ends. By conservative advancement on exact
+/// meshes: nothing is passed through, and the hand does not penetrate where it stops. What slides past does
+/// not stop it; a hand that penetrates at the start stays there. Contacts of the hand with itself do not
+/// change.
 /// @param joints (n_joints) @param max_travel [m], >= 0 @param contact_gap [m], > 0
-/// Cost: 20-100 us.
+/// Cost: 1-2 ms for a hand of 16 links of 600 triangles each.
 PalmApproach approach_until_contact(const CollisionModel& model, const Pose& X_OH, const VecX& joints,
                                     double max_travel, double contact_gap = 0.0001);
 
