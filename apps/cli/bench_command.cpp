@@ -3,9 +3,9 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <csignal>
 
 #include "cli/commands.hpp"
+#include "cli/interrupt_guard.hpp"
 #include "cli/scene_options.hpp"
 #include "eigengrasp/core/error.hpp"
 #include "eigengrasp/core/files.hpp"
@@ -25,8 +25,6 @@ struct BenchChoice {
   std::filesystem::path markdown;
   PerformanceOptions options;
 };
-
-StopFlag stop_flag;  // set by the signal handler: what was measured until then is printed
 
 struct BenchScene {
   Scene scene;
@@ -105,9 +103,26 @@ std::string command_text(const CLI::App& command, const BenchChoice& choice) {
   return text;
 }
 
+/// Measures scene by scene and prints. @return false where Ctrl-C ended it
+bool measure(const std::vector<BenchScene>& scenes, std::FILE* text, PerformanceReport& report) {
+  const InterruptGuard guard;
+  report.options.stop = &guard.stop_flag();
+  report.wrench = measure_wrench_space(std::min(1.0, report.options.seconds));
+  fmt::print(text, "8 contacts x 8 edges: closure {:.1f} us, epsilon {:.1f} us\n",
+             1e6 * report.wrench.closure, 1e6 * report.wrench.epsilon);
+  for (const BenchScene& bench : scenes) {
+    ScenePerformance measured = measure_performance(bench.scene, report.options);
+    if (guard.interrupted()) return false;
+    measured.paper_hand = bench.paper_hand;
+    fmt::print(text, "{}", performance_text(measured));
+    std::fflush(text);
+    report.scenes.push_back(std::move(measured));
+  }
+  return true;
+}
+
 int run_bench(const CLI::App& command, BenchChoice choice) {
   require_sound(choice);
-  choice.options.stop = &stop_flag;
   const std::vector<BenchScene> scenes =
       choice.graspit.empty() ? named_scenes(choice) : graspit_scenes(choice);
   PerformanceReport report;
@@ -115,20 +130,7 @@ int run_bench(const CLI::App& command, BenchChoice choice) {
   report.options = choice.options;
   std::FILE* const text = choice.json == "-" ? stderr : stdout;
   fmt::print(text, "eigengrasp {}; {}\n", report.record.version, describe(report.record.machine));
-  const auto previous = std::signal(SIGINT, [](int) { stop_flag.request_stop(); });
-  report.wrench = measure_wrench_space(std::min(1.0, choice.options.seconds));
-  fmt::print(text, "8 contacts x 8 edges: closure {:.1f} us, epsilon {:.1f} us\n",
-             1e6 * report.wrench.closure, 1e6 * report.wrench.epsilon);
-  for (const BenchScene& bench : scenes) {
-    ScenePerformance measured = measure_performance(bench.scene, choice.options);
-    if (stop_flag.stop_requested()) break;
-    measured.paper_hand = bench.paper_hand;
-    fmt::print(text, "{}", performance_text(measured));
-    std::fflush(text);
-    report.scenes.push_back(std::move(measured));
-  }
-  std::signal(SIGINT, previous);
-  if (stop_flag.stop_requested()) {
+  if (!measure(scenes, text, report)) {
     fmt::print(stderr, "eigengrasp: stopped; nothing was written\n");
     return nothing_found;
   }

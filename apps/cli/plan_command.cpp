@@ -2,9 +2,8 @@
 // SPDX-FileCopyrightText: The eigengrasp authors
 #include <fmt/core.h>
 
-#include <csignal>
-
 #include "cli/commands.hpp"
+#include "cli/interrupt_guard.hpp"
 #include "cli/plan_options_cli.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/scene_options.hpp"
@@ -27,21 +26,18 @@ struct PlanChoice {
   bool pictures = true;
 };
 
-StopFlag stop_flag;  // set by the signal handler: Ctrl-C ends the search, not the program
-
+/// Ctrl-C ends the search, not the program.
 PlanResult plan_with_progress(const Scene& scene, PlanOptions options) {
   ProgressBar bar;
-  options.stop = &stop_flag;
+  const InterruptGuard guard;
+  options.stop = &guard.stop_flag();
   options.progress = [&](const PlanProgress& p) {
     const double share = p.iterations_total > 0
                              ? static_cast<double>(p.iterations) / static_cast<double>(p.iterations_total)
                              : p.seconds / options.time_limit;
     bar.show(share, fmt::format("{} states, best energy {:.1f}", p.iterations, p.best_energy));
   };
-  const auto previous = std::signal(SIGINT, [](int) { stop_flag.request_stop(); });
-  PlanResult result = plan_grasps(scene, options);
-  std::signal(SIGINT, previous);
-  return result;
+  return plan_grasps(scene, options);
 }
 
 void write_files(const Scene& scene, const PlanChoice& choice, const GraspFile& file) {

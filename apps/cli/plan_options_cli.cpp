@@ -92,8 +92,7 @@ PlanOptions understand(const PlannerChoice& choice, const HandModel& hand) {
     if (!choice.iterations_given) o.iterations = 0;
   }
   o.amplitudes = amplitude_count(choice.amplitudes, hand);
-  if (const auto folder = user_cache_folder(); !folder.empty())
-    o.cache = std::make_shared<PreparationCache>(PreparationCacheOptions{.folder = folder, .log = warn});
+  o.cache = user_cache();
   return o;
 }
 

@@ -2,9 +2,8 @@
 // SPDX-FileCopyrightText: The eigengrasp authors
 #include <fmt/core.h>
 
-#include <csignal>
-
 #include "cli/commands.hpp"
+#include "cli/interrupt_guard.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/scene_options.hpp"
 #include "eigengrasp/core/error.hpp"
@@ -27,8 +26,6 @@ struct ReproduceChoice {
   bool quick = false;
   bool pictures = true;
 };
-
-StopFlag stop_flag;  // set by the signal handler
 
 void add_reproduce_options(CLI::App& command, ReproduceChoice& choice) {
   command.add_option("--graspit", choice.graspit,
@@ -89,6 +86,7 @@ Table2Options table2_options(const ReproduceChoice& choice) {
   options.seeds = choice.seeds;
   options.iterations = choice.iterations;
   options.threads = choice.threads;
+  options.cache = user_cache();
   options.log = warn;
   if (const auto violations = options.validate(); !violations.empty()) fail("{}", violations.front());
   return options;
@@ -96,12 +94,10 @@ Table2Options table2_options(const ReproduceChoice& choice) {
 
 Table2 run_with_progress(Table2Options options) {
   ProgressBar bar;
-  options.stop = &stop_flag;
+  const InterruptGuard guard;
+  options.stop = &guard.stop_flag();
   options.progress = [&](double share, const std::string& next) { bar.show(share, next); };
-  const auto previous = std::signal(SIGINT, [](int) { stop_flag.request_stop(); });
-  Table2 table = run_table2(options);
-  std::signal(SIGINT, previous);
-  return table;
+  return run_table2(options);
 }
 
 /// Everything is made before the first file is written.

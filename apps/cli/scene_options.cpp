@@ -21,6 +21,12 @@ void warn(const std::string& sentence) {
   fmt::print(stderr, "eigengrasp: warning: {}\n", sentence);
 }
 
+std::shared_ptr<PreparationCache> user_cache() {
+  const auto folder = user_cache_folder();
+  if (folder.empty()) return {};
+  return std::make_shared<PreparationCache>(PreparationCacheOptions{.folder = folder, .log = warn});
+}
+
 void add_hand_option(CLI::App& command, HandChoice& choice) {
   command.add_option(
       "--hand", choice.name,

@@ -4,10 +4,12 @@
 
 #include <CLI/App.hpp>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "eigengrasp/geometry/preparation_cache.hpp"
 #include "eigengrasp/grasp/scene.hpp"
 #include "eigengrasp/model_io/object_io.hpp"
 #include "eigengrasp/report/grasp_file.hpp"
@@ -47,6 +49,9 @@ ObjectModel load_sound_object(const std::filesystem::path& file, const ObjectRea
 
 /// For the files that are written.
 ObjectUnits object_units(const SceneChoice& choice);
+
+/// In the user's cache folder; none where there is no such folder.
+std::shared_ptr<PreparationCache> user_cache();
 
 /// "eigengrasp: warning: ..." on stderr.
 void warn(const std::string& sentence);

@@ -2,10 +2,12 @@
 // SPDX-FileCopyrightText: The eigengrasp authors
 #include "eigengrasp/experiments/performance.hpp"
 
-#include <algorithm>
 #include <chrono>
+#include <cstdlib>
+#include <filesystem>
 #include <functional>
 
+#include "eigengrasp/core/error.hpp"
 #include "eigengrasp/core/random.hpp"
 #include "eigengrasp/experiments/statistics.hpp"
 #include "eigengrasp/grasp/contact_finder.hpp"
@@ -40,6 +42,30 @@ void repeat(double seconds, const StopFlag* stop, const std::function<void()>& w
   } while (watch.seconds() < seconds && !(stop && stop->stop_requested()));
 }
 
+/// A folder that goes away with it.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "eigengrasp-bench-XXXXXX").string();
+    if (!::mkdtemp(name.data())) fail("{}: no temporary folder can be made", name);
+    path_ = name;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  /// A new cache that knows only what is on disk.
+  std::shared_ptr<PreparationCache> cache() const {
+    return std::make_shared<PreparationCache>(PreparationCacheOptions{.folder = path_});
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
 PlanOptions plan_options(const PerformanceOptions& options, int threads, std::uint64_t seed) {
   PlanOptions plan;
   plan.iterations = options.iterations;
@@ -50,26 +76,53 @@ PlanOptions plan_options(const PerformanceOptions& options, int threads, std::ui
   return plan;
 }
 
+/// The planner's runs on so many threads.
+class RunBench {
+ public:
+  RunBench(const Scene& scene, const PerformanceOptions& options, int threads)
+      : scene_(scene), options_(options), threads_(threads) {}
+
+  /// The next seed. @return of the run
+  PlanResult run(std::shared_ptr<PreparationCache> cache) {
+    PlanOptions plan = plan_options(options_, threads_, run_.size() + 1);
+    plan.cache = std::move(cache);
+    PlanResult result = plan_grasps(scene_, plan);
+    run_.push_back(result.timings.search + result.timings.close);
+    rate_.push_back(static_cast<double>(result.states.evaluated) / result.timings.search);
+    evaluated_ += result.states.evaluated;
+    legal_ += result.states.legal;
+    return result;
+  }
+
+  int runs() const { return static_cast<int>(run_.size()); }
+  double legal_share() const {
+    return evaluated_ > 0 ? static_cast<double>(legal_) / static_cast<double>(evaluated_) : 0.0;
+  }
+  double median_run() const { return median(run_); }
+  double median_rate() const { return median(rate_); }
+
+ private:
+  const Scene& scene_;
+  const PerformanceOptions& options_;
+  int threads_;
+  std::vector<double> run_, rate_;
+  std::int64_t evaluated_ = 0;
+  std::int64_t legal_ = 0;
+};
+
 /// Runs the planner until the time is up. @param first the result with seed 1
 ThreadedPerformance measure_runs(const Scene& scene, const PerformanceOptions& options, int threads,
-                                 ScenePerformance& out, PlanResult& first) {
-  std::vector<double> prepare, run, rate;
-  std::int64_t evaluated = 0;
-  std::int64_t legal = 0;
-  repeat(options.seconds, options.stop, [&] {
-    PlanResult result = plan_grasps(scene, plan_options(options, threads, run.size() + 1));
-    prepare.push_back(result.timings.prepare);
-    run.push_back(result.timings.search + result.timings.close);
-    rate.push_back(static_cast<double>(result.states.evaluated) / result.timings.search);
-    evaluated += result.states.evaluated;
-    legal += result.states.legal;
-    if (run.size() == 1) first = std::move(result);
-  });
+                                 const TemporaryFolder& folder, ScenePerformance& out, PlanResult& first) {
+  RunBench bench(scene, options, threads);
+  first = bench.run(nullptr);
+  bench.run(folder.cache());  // fills the folder
+  std::vector<double> cached;
+  repeat(options.seconds, options.stop, [&] { cached.push_back(bench.run(folder.cache()).timings.prepare); });
   if (threads == 1) {
-    out.runs = static_cast<int>(run.size());
-    out.legal_share = evaluated > 0 ? static_cast<double>(legal) / static_cast<double>(evaluated) : 0.0;
+    out.runs = bench.runs();
+    out.legal_share = bench.legal_share();
   }
-  return {threads, median(prepare), median(run), median(rate), 0.0};
+  return {threads, first.timings.prepare, median(cached), bench.median_run(), bench.median_rate(), 0.0};
 }
 
 std::vector<ContactPoint> points_of(const std::vector<GraspContact>& contacts) {
@@ -165,11 +218,12 @@ ScenePerformance measure_performance(const Scene& scene, const PerformanceOption
   out.hand = scene.hand->name;
   out.object = scene.object->name;
   const int all = options.threads > 0 ? options.threads : hardware_threads();
+  const TemporaryFolder folder;
   PlanResult first;
-  out.by_threads.push_back(measure_runs(scene, options, 1, out, first));
+  out.by_threads.push_back(measure_runs(scene, options, 1, folder, out, first));
   if (all > 1) {
     reset_peak_memory();
-    out.by_threads.push_back(measure_runs(scene, options, all, out, first));
+    out.by_threads.push_back(measure_runs(scene, options, all, folder, out, first));
   }
   out.peak_memory = peak_memory();
   measure_candidates(scene, options, first.grasps, out);

@@ -26,6 +26,7 @@ OrderedJson scene_json(const ScenePerformance& scene) {
                                {"states_per_second", by.states_per_second},
                                {"candidates_per_second", by.candidates_per_second},
                                {"prepare_seconds", by.prepare},
+                               {"prepare_cached_seconds", by.prepare_cached},
                                {"run_seconds", by.run}});
   return json;
 }

@@ -47,6 +47,7 @@ Row scene_row(const ScenePerformance& s, const ThreadedPerformance& by) {
           fmt::format("{:.1f}", 1e6 * s.steps.epsilon),
           fmt::format("{:.0f}", 1e3 * by.run),
           fmt::format("{:.0f}", 1e3 * by.prepare),
+          fmt::format("{:.0f}", 1e3 * by.prepare_cached),
           fmt::format("{:.0f}", 1e-6 * static_cast<double>(s.peak_memory))};
 }
 
@@ -56,7 +57,7 @@ std::string scenes_table(const PerformanceReport& report) {
     for (const ThreadedPerformance& by : scene.by_threads) rows.push_back(scene_row(scene, by));
   return markdown_table(
       {"hand", "object", "threads", "states/s", "legal", "candidates/s", "close [us]", "contacts [us]",
-       "closure [us]", "epsilon [us]", "run [ms]", "prepare [ms]", "memory [MB]"},
+       "closure [us]", "epsilon [us]", "run [ms]", "prepare [ms]", "from cache [ms]", "memory [MB]"},
       rows);
 }
 
@@ -125,9 +126,11 @@ std::string performance_text(const ScenePerformance& s) {
       fmt::format("{} on {}: {:.0f} % of the states legal, {} candidates with {:.1f} contacts\n", s.hand,
                   s.object, 100.0 * s.legal_share, s.candidates, s.contacts);
   for (const ThreadedPerformance& by : s.by_threads)
-    text += fmt::format("  {} thread{}: {} states/s, {} candidates/s; a run {:.3f} s, preparation {:.3f} s\n",
-                        by.threads, by.threads == 1 ? "" : "s", thousands(by.states_per_second),
-                        thousands(by.candidates_per_second), by.run, by.prepare);
+    text += fmt::format(
+        "  {} thread{}: {} states/s, {} candidates/s; a run {:.3f} s, preparation {:.3f} s, {:.3f} s from "
+        "the cache\n",
+        by.threads, by.threads == 1 ? "" : "s", thousands(by.states_per_second),
+        thousands(by.candidates_per_second), by.run, by.prepare, by.prepare_cached);
   return text +
          fmt::format(
              "  a candidate: close {:.0f} us, contacts {:.0f} us, closure {:.1f} us, epsilon {:.1f} us; "

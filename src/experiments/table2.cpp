@@ -22,6 +22,7 @@ PlanOptions plan_options(const Table2Options& options, SearchKind search, int se
   plan.threads = options.threads;
   plan.seed = static_cast<std::uint64_t>(seed);
   plan.search = search;
+  plan.cache = options.cache;
   plan.stop = options.stop;
   return plan;
 }
@@ -53,7 +54,7 @@ class Table2Runner {
       if (options_.progress)
         options_.progress(
             static_cast<double>(done_) / static_cast<double>(total_),
-            fmt::format("{}: {} on {}, seed {}", title_of(part), name_of(hand), name_of(object), seed));
+            fmt::format("{}: {} on {}, seed {}", title_of(part), title_of(hand), name_of(object), seed));
       PlanResult result = plan_grasps(scene, plan_options(options_, part.search, seed));
       Table2Run run{static_cast<std::uint64_t>(seed), result.candidates, result.timings, {}, {}};
       if (!result.grasps.empty()) run.best = std::move(result.grasps.front());
@@ -96,7 +97,7 @@ Table2Target no_cell_below(const Table2Part& part, double (*reference)(PaperHand
   std::string below;
   for (const Table2Cell& cell : part.cells)
     if (mean(cell.form_closed()) < reference(cell.hand, cell.object))
-      below += fmt::format("{}{} on {} {:.1f} < {:.1f}", below.empty() ? "" : "; ", name_of(cell.hand),
+      below += fmt::format("{}{} on {} {:.1f} < {:.1f}", below.empty() ? "" : "; ", title_of(cell.hand),
                            name_of(cell.object), mean(cell.form_closed()), reference(cell.hand, cell.object));
   return {fmt::format("{}: no cell below {}", title_of(part), whose), below.empty() ? "none" : below,
           below.empty()};

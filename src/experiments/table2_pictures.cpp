@@ -100,7 +100,7 @@ std::vector<ResultPicture> figure2(const Table2& table, int threads) {
   return {{"table2/figure2.png",
            fmt::format("Fig. 2: the best state so far of the paper's search, {} hand, {}, seed 1, materials "
                        "of the models",
-                       name_of(hand), name_of(object)),
+                       title_of(hand), name_of(object)),
            draw_grid(grid)}};
 }
 
@@ -143,7 +143,7 @@ ResultPicture figures3and4(const Table2& table, const Table2Part& part, PaperHan
   return {fmt::format("table2/grasps-{}.png", name_of(hand)),
           fmt::format(
               "Figs. 3 and 4, {} hand: pre-grasp and grasp of the largest epsilon on each object; {}, seed 1",
-              name_of(hand), title_of(part)),
+              title_of(hand), title_of(part)),
           draw_grid(grid)};
 }
 

@@ -6,6 +6,8 @@
 
 namespace eigengrasp {
 
+/// "Barrett", "DLR", "Robonaut", "human".
+const char* title_of(PaperHand hand);
 /// "the paper's search", "our search".
 const char* title_of(SearchKind search);
 /// "materials of the models", "mu = 1".

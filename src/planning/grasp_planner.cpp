@@ -23,7 +23,9 @@ void require_sound(const PlanOptions& options, const Scene& scene) {
 }
 
 /// The grasps of a search, the best first, with where they came from.
-void take_over(SearchResult& found, const PlanOptions& options, PlanResult& result) {
+void take_over(SearchResult& found, const GraspEnergy& energy, const PlanOptions& options, PlanResult& result) {
+  parallel_for(found.kept.size(), options.threads,
+               [&](std::size_t i, int) { add_volume(energy, found.kept[i].result.grasp); });
   result.states = found.states;
   result.candidates = found.candidates;
   result.milestones = std::move(found.milestones);
@@ -76,11 +78,7 @@ PlanResult plan_grasps(const Scene& scene, const PlanOptions& options) {
                                                            : search_in_stages(task, options, budget);
   result.stopped_early = budget.ended_early();
   result.timings.search = watch.lap();
-  take_over(found, options, result);
-  parallel_for(result.grasps.size(), options.threads, [&](std::size_t i, int) {
-    if (options.stop && options.stop->stop_requested()) return;
-    add_volume(energy, result.grasps[i]);
-  });
+  take_over(found, energy, options, result);
   result.timings.close = watch.lap();
 
   result.timings.total = result.timings.prepare + result.timings.search + result.timings.close;

@@ -33,7 +33,8 @@ struct CandidateSteps {
 /// What depends on the number of threads; medians over the runs or repetitions.
 struct ThreadedPerformance {
   int threads = 1;
-  double prepare = 0.0;                ///< [s] of a run
+  double prepare = 0.0;                ///< [s] of a run, all made anew
+  double prepare_cached = 0.0;         ///< [s] with fields and spheres from the cache on disk
   double run = 0.0;                    ///< [s] search, closing, rating and check, without preparation
   double states_per_second = 0.0;      ///< of the search: drawn, tested, and rated where legal
   double candidates_per_second = 0.0;  ///< closed, contacts found, epsilon
@@ -53,7 +54,8 @@ struct ScenePerformance {
   std::int64_t peak_memory = 0;  ///< [bytes] of the process in a run on all threads; 0: unknown
 };
 
-/// Runs the planner with the seeds 1, 2, ... and measures; the states are those that its search draws, the
+/// Runs the planner with the seeds 1, 2, ... (the first without a cache, the others with one in a temporary
+/// folder) and measures; the states are those that its search draws, the
 /// candidates the pre-grasps that it finds. A stop flag ends it early: what was measured until then counts.
 /// @throws Error where the planner's options do not suit the hand
 ScenePerformance measure_performance(const Scene& scene, const PerformanceOptions& options);

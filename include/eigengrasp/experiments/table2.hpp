@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,8 +21,9 @@ struct Table2Options {
   std::vector<PaperObject> objects{kPaperObjects.begin(), kPaperObjects.end()};
   int seeds = 5;  ///< runs of each cell, with the seeds 1, 2, ...
   std::int64_t iterations = 70000;
-  int grasps = 20;  ///< pre-grasps that are closed
-  int threads = 0;  ///< 0: all. Does not change the counts
+  int grasps = 20;                               ///< pre-grasps that are closed
+  int threads = 0;                               ///< 0: all. Does not change the counts
+  std::shared_ptr<PreparationCache> cache = {};  ///< of the planner; none: every run prepares anew
   const StopFlag* stop = nullptr;
   /// Called before each run with the share that is done, in [0, 1], and what comes next; may be empty.
   std::function<void(double share, const std::string& next)> progress = {};

@@ -41,10 +41,9 @@ struct HandSurfaces {
 class CollisionModel {
  public:
   struct Options {
-    double cover_tolerance = 0.0015;  ///< [m] deepest intrusion that no inner sphere notices
-    double refuse_depth =
-        0.0002;        ///< [m] spheres that intrude less are let pass: error of the distance field
-    bool fast = true;  ///< prepare distance fields and spheres; else only exact queries work
+    double cover_tolerance = 0.0007;  ///< [m] deepest intrusion that no inner sphere notices
+    double refuse_depth = 0.0;        ///< [m] spheres that intrude less are let pass
+    bool fast = true;                 ///< prepare distance fields and spheres; else only exact queries work
     int threads = 0;
     std::shared_ptr<PreparationCache> cache = {};  ///< of fields and spheres; none: all is made anew
   };
