@@ -51,10 +51,9 @@ std::vector<TestedPreGrasp> Harvest::best() const {
   std::vector<std::size_t> order = closed_;
   for (std::size_t i = 0; i < tested_.size(); ++i)
     if (!tested_[i].result.grasp.form_closure) order.push_back(i);
-  std::stable_sort(order.begin() + static_cast<std::ptrdiff_t>(closed_.size()), order.end(),
-                   [&](std::size_t a, std::size_t b) {
-                     return tested_[a].pregrasp.energy < tested_[b].pregrasp.energy;
-                   });
+  std::stable_sort(
+      order.begin() + static_cast<std::ptrdiff_t>(closed_.size()), order.end(),
+      [&](std::size_t a, std::size_t b) { return tested_[a].pregrasp.energy < tested_[b].pregrasp.energy; });
   std::vector<TestedPreGrasp> kept;
   for (const std::size_t i : order) {
     if (kept.size() == static_cast<std::size_t>(options_.grasps)) break;

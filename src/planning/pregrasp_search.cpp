@@ -17,8 +17,8 @@ Distinctness distinctness_of(const HandModel& hand) {
 
 namespace {
 
-/// The pre-grasp after the palm has moved up to the object, and how it closes then; without test where the palm
-/// does not come to touch.
+/// The pre-grasp after the palm has moved up to the object, and how it closes then; without test where the
+/// palm does not come to touch.
 TestedPreGrasp test_after_approach(const Annealer::Task& task, PreGrasp pregrasp, double most_travel) {
   constexpr double least_travel = 0.001;  // [m] less is no other pre-grasp
   const VecX joints = joint_values(*task.model.scene().hand, pregrasp.dofs);

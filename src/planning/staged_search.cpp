@@ -13,10 +13,11 @@ namespace {
 
 constexpr int chains_of_annealer = kernel::n_lanes;
 constexpr int most_stages = 12;
-constexpr std::int64_t least_steps = 60;           ///< of a chain in a stage
-constexpr std::int64_t steps_without_budget = 200;  ///< of a chain in a stage, where only a time limit is given
-constexpr int chains_that_return = 8;               ///< of an annealer: they begin near what closed
-constexpr std::size_t list_size = 40;               ///< of an annealer, for one stage
+constexpr std::int64_t least_steps = 60;  ///< of a chain in a stage
+constexpr std::int64_t steps_without_budget =
+    200;                               ///< of a chain in a stage, where only a time limit is given
+constexpr int chains_that_return = 8;  ///< of an annealer: they begin near what closed
+constexpr std::size_t list_size = 40;  ///< of an annealer, for one stage
 
 int stages_for(const PlanOptions& options, int n_chains) {
   const std::int64_t stages = options.iterations / (n_chains * least_steps);
@@ -62,9 +63,10 @@ SearchResult search_in_stages(const Annealer::Task& task, const PlanOptions& opt
   StopWatch watch;
   for (int stage = 0; (budget.repeats() || stage < n_stages) && !budget.ended(); ++stage) {
     if (stage > 0) begin_stage(annealers, harvest, hand, random);
-    const std::int64_t states = budget.repeats() ? n_chains * steps_without_budget
-                                                 : part_of(options.iterations, static_cast<std::size_t>(stage),
-                                                           static_cast<std::size_t>(n_stages));
+    const std::int64_t states = budget.repeats()
+                                    ? n_chains * steps_without_budget
+                                    : part_of(options.iterations, static_cast<std::size_t>(stage),
+                                              static_cast<std::size_t>(n_stages));
     parallel_for(annealers.size(), options.threads, [&](std::size_t i, int worker) {
       budget.anneal(annealers[i], part_of(states, i, annealers.size()), worker);
     });

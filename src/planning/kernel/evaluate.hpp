@@ -127,11 +127,14 @@ class Evaluation {
       if (w_.unsure[i] == 0) continue;
       const Motion<B> X = load_motion<B>(pose(part.body));
       std::uint32_t hit = 0;
+      std::uint32_t near = 0;
       for (int k = part.first_core; k < part.first_core + part.n_cores; ++k) {
         const CoreBall& ball = p_.cores[k];
-        hit |=
-            bits(bound_distance<B>(p_.object.field, moved(X, splat<B>(ball.center))).upper < F(ball.radius));
+        const DistanceBounds<B> at_core = bound_distance<B>(p_.object.field, moved(X, splat<B>(ball.center)));
+        hit |= bits(at_core.upper < F(ball.radius));
+        near |= bits(at_core.lower < F(ball.reach));
       }
+      w_.unsure[i] &= near;
       end(hit & alive_, hits_object);
       if (alive_ == 0) return;
     }
