@@ -218,7 +218,7 @@ class FreeTimeSearch {
       const Box box{b.center - b.half, b.center + b.half};
       if (stay_apart(na.box, box, sweep_of(centered(na.box), b))) return false;
     }
-    return !field_ || radius < 1.5 * field_->fine().cell ||
+    return !field_ || radius < 1.5 * field_->scale() * field_->fine().cell ||
            certain_distance(*field_, center) <=
                radius + reserve() + best_.time * speeds_b_.within(center, radius);
   }
@@ -265,13 +265,15 @@ class FreeTimeSearch {
 
 double certain_distance(const DistanceField& field, const Vec3& p) {
   constexpr double half_diagonal = 0.8661;  // of a cell
+  const double scale = field.scale();
+  const Vec3 q = p / scale;
   const FieldGrid* grid = &field.fine();
-  if (!grid->contains(p)) grid = &field.coarse();
-  if (!grid->contains(p)) {
+  if (!grid->contains(q)) grid = &field.coarse();
+  if (!grid->contains(q)) {
     const Box box = grid->box();
-    return (box.min - p).cwiseMax(p - box.max).cwiseMax(Vec3::Zero()).norm();
+    return scale * (box.min - q).cwiseMax(q - box.max).cwiseMax(Vec3::Zero()).norm();
   }
-  return std::abs(grid->value(p)) - half_diagonal * grid->cell;
+  return scale * (std::abs(grid->value(q)) - half_diagonal * grid->cell);
 }
 
 double time_to_close(double gap, double rate, double acceleration) {

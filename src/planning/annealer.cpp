@@ -143,9 +143,10 @@ void Annealer::step(double progress, std::int64_t most) {
   }
   const int each = n_lanes / n_chains_;
   for (int first = 0; first < n_lanes; first += each)
-    for (int lane = first; lane < first + each && most > 0; ++lane, --most) {
+    for (int lane = first; lane < first + each && most > 0; ++lane) {
       const auto verdict = lanes_->batch.verdict(lane);
       count(verdict);
+      --most;
       if (verdict != StateEvaluator::Verdict::legal) continue;
       for (int k = first; k < first + each; ++k) {
         copy_lane(lanes_->proposals(), lane, lanes_->current(), k, task_.space.postures.size());

@@ -125,6 +125,8 @@ TEST(FreeTime, CertainDistancesAreLowerBounds) {
   for (int i = 0; i < 2000; ++i) {
     const Vec3 p = any_point(random, bvh.box(), i % 2 == 0 ? 0.02 : 0.5);
     EXPECT_LE(certain_distance(field, p), bvh.closest_point(p).distance) << i;
+    const Vec3 larger = 1.5 * p;
+    EXPECT_LE(certain_distance(field.scaled(1.5), larger), 1.5 * bvh.closest_point(p).distance) << i;
   }
 }
 

@@ -44,7 +44,7 @@ struct PlanOptions {
   int grasps = 20;          ///< pre-grasps that are kept, closed and rated
   std::uint64_t seed = 1;
   int threads = 0;     ///< 0: all. Does not change the result
-  int chains = 4;      ///< independent annealing chains that share the iterations; 1: the paper's search
+  int chains = 32;     ///< of the staged search, side by side; rounded up to whole sixteens
   int amplitudes = 2;  ///< eigengrasps that are searched; hand.n_dof(): all degrees of freedom
   EnergyKind energy = EnergyKind::contact;
   SearchKind search = SearchKind::staged;
@@ -73,7 +73,7 @@ struct StateCounts {
   std::int64_t hit_obstacle = 0;
 };
 
-/// What became of the pre-grasps that were closed.
+/// What became of the pre-grasps that were closed; the staged search closes more than it keeps.
 struct CandidateCounts {
   int tested = 0;
   int form_closed = 0;
@@ -85,8 +85,9 @@ struct CandidateCounts {
 struct PlanTimings {
   double prepare = 0.0;  ///< [s] distance field, hand proxies
   double search = 0.0;
-  double close = 0.0;  ///< closing, contacts, quality and exact check
+  double close = 0.0;  ///< exact legality, closing, contacts, epsilon and exact check
   double total = 0.0;
+  double volume = 0.0;  ///< of the wrench spaces of the grasps that are kept
 };
 
 enum class PlanStatus {
