@@ -48,6 +48,9 @@ struct PlanOptions {
   int amplitudes = 2;  ///< eigengrasps that are searched; hand.n_dof(): all degrees of freedom
   EnergyKind energy = EnergyKind::contact;
   SearchKind search = SearchKind::staged;
+  /// Tells of every state whether it is legal, also of those whose energy is too high to be taken anyway.
+  /// Changes nothing but StateCounts, and costs time.
+  bool judge_all = false;
   double alpha =
       0.050;  ///< length [m] that weighs as much as a contact normal that is 90 degrees off, eq. (6)
   WrenchNorm norm = WrenchNorm::l1;
@@ -64,7 +67,8 @@ struct PlanOptions {
   std::vector<std::string> validate(const HandModel& hand) const;
 };
 
-/// What became of the states that the search drew.
+/// What became of the states that the search drew. Without PlanOptions::judge_all, states whose energy is too
+/// high to be taken are only looked at roughly, and count as legal where that shows no collision.
 struct StateCounts {
   std::int64_t evaluated = 0;
   std::int64_t legal = 0;
