@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
-// What becomes of a pre-grasp, step by step: the shipped human hand and the shipped glass, and the best
-// pre-grasps of a short search with a fixed seed. The time is that of one candidate; the means contacts,
-// closed, epsilon and legal tell whether the results are still the same.
+// What becomes of a pre-grasp, step by step: the human hand and the glass, shipped or, where the variable
+// EIGENGRASP_BENCH_GRASPIT names GraspIt!'s folder, those of GraspIt!, and the best pre-grasps of a short
+// search with a fixed seed. The time is that of one candidate; the means contacts, closed, epsilon and legal
+// tell whether the results are still the same.
 #include <benchmark/benchmark.h>
 
+#include <cstdlib>
 #include <functional>
 
 #include "eigengrasp/grasp/contact_finder.hpp"
 #include "eigengrasp/kinematics/forward_kinematics.hpp"
-#include "eigengrasp/model_io/hand_io.hpp"
-#include "eigengrasp/model_io/model_library.hpp"
-#include "eigengrasp/model_io/object_io.hpp"
+#include "eigengrasp/model_io/paper_models.hpp"
 #include "eigengrasp/planning/finger_closing.hpp"
 #include "eigengrasp/planning/palm_approach.hpp"
 #include "planning/candidate_test.hpp"
@@ -35,17 +35,19 @@ struct Bench {
   std::vector<Candidate> candidates;
 };
 
-Scene shipped_scene() {
+Scene human_and_glass() {
+  const char* graspit = std::getenv("EIGENGRASP_BENCH_GRASPIT");
+  const ModelSource source = graspit != nullptr ? find_graspit_models(graspit) : ModelSource{};
   Scene scene;
-  scene.hand = std::make_shared<const HandModel>(load_hand(find_hand("human")));
-  scene.object = std::make_shared<const ObjectModel>(load_object(find_object("glass")));
+  scene.hand = std::make_shared<const HandModel>(load_paper_hand(source, PaperHand::human));
+  scene.object = std::make_shared<const ObjectModel>(load_paper_object(source, PaperObject::glass));
   scene.object_material.name = scene.object->material;
   return scene;
 }
 
 Bench make_bench() {
   Bench bench;
-  bench.scene = shipped_scene();
+  bench.scene = human_and_glass();
   PlanOptions options;
   options.iterations = 20000;
   options.grasps = 40;

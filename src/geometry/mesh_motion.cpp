@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/oriented_boxes.hpp"
+#include "geometry/moving_boxes.hpp"
 
 namespace eigengrasp {
 
@@ -20,21 +20,6 @@ struct CenteredBox {
 
 CenteredBox centered(const Box& box) {
   return {box.center(), 0.5 * box.size()};
-}
-
-/// The box along the frame's axes about an oriented one.
-CenteredBox aligned(const detail::TurnedBox& box) {
-  CenteredBox result{Vec3(box.center[0], box.center[1], box.center[2]), Vec3::Zero()};
-  for (int k = 0; k < 3; ++k) {
-    const detail::Float4 extents = box.half * detail::magnitude(box.rows[k]);
-    result.half[k] = 1.000001 * (extents[0] + extents[1] + extents[2]);
-  }
-  return result;
-}
-
-double radius_of(const detail::TurnedBox& box) {
-  const detail::Float4 squares = box.half * box.half;
-  return 1.000001 * std::sqrt(squares[0] + squares[1] + squares[2]);
 }
 
 /// What the joints of one surface may do to its points, to first order.
@@ -105,21 +90,17 @@ class FreeTimeSearch {
         speeds_b_(motion.of_b, X_AB * b.box().center()),
         acceleration_(motion.acceleration),
         margin_(margin),
-        field_(field.empty() ? nullptr : &field) {
+        field_(field.empty() ? nullptr : &field),
+        boxes_(motion),
+        posed_(a, b, X_AB) {
     best_.time = horizon;
-    fastest_ = speeds_a_.within(a.box().center(), 0.5 * a.box().size().norm()) +
-               speeds_b_.within(X_AB * b.box().center(), 0.5 * b.box().size().norm());
+    if (field_) clearances_.resize(b.nodes().size());
   }
 
   FreeTime run(PairHint* hint, double touching) {
     if (hint && hint->triangle_a >= 0) visit(hint->triangle_a, hint->triangle_b, posed(hint->triangle_b));
     if (best_.distance <= touching) return best_;
-    detail::descend(
-        a_, b_, X_AB_,
-        [this](double gap, const MeshBvh::Node& na, const detail::TurnedBox& box) {
-          return matters(gap, na, box);
-        },
-        [this](const MeshBvh::Node& na, const MeshBvh::Node& nb) { return visit_leaves(na, nb); });
+    descend();
     if (hint && nearest_.triangle_a >= 0) *hint = nearest_;
     return best_;
   }
@@ -197,30 +178,63 @@ class FreeTimeSearch {
     return d == 0.0;
   }
 
-  /// Whether what is in the box of b, with a gap to the node of a, may come within the margin of it before
-  /// the best time: not if no motion is fast enough for the gap, not if none goes that way, and not if the
-  /// field knows better.
-  bool matters(double gap, const MeshBvh::Node& na, const detail::TurnedBox& turned) const {
-    // What overlaps at rest may meet in motion.
-    if (gap > reserve() + best_.time * fastest_) return false;
-    const Vec3 center(turned.center[0], turned.center[1], turned.center[2]);
-    const double radius = radius_of(turned);
-    double reach = reserve();
-    if (gap > reach) {
-      reach += best_.time * speeds_b_.within(center, radius);
-      if (!speeds_a_.still())
-        reach += best_.time * speeds_a_.within(na.box.center(), 0.5 * na.box.size().norm());
-      if (gap > reach) return false;
+  struct NodePair {
+    int a;
+    int b;
+    float gap;
+    int visits;  ///< so far, when it was found to matter
+  };
+
+  /// Of both hierarchies at once, the larger node first, then the nearer pair.
+  void descend() {
+    NodePair stack[256];
+    int top = 0;
+    int visits = 0;
+    stack[top++] = {0, 0, 0.0f, -1};
+    while (top > 0) {
+      NodePair pair = stack[--top];
+      const detail::TurnedBox box_a = detail::turned(a_.oriented_box(pair.a));
+      const detail::TurnedBox box_b = posed_.box(pair.b);
+      if (pair.visits != visits && !matters(pair, box_a, box_b)) continue;
+      const MeshBvh::Node& na = a_.nodes()[static_cast<std::size_t>(pair.a)];
+      const MeshBvh::Node& nb = b_.nodes()[static_cast<std::size_t>(pair.b)];
+      if (na.count > 0 && nb.count > 0) {
+        if (visit_leaves(na, nb)) return;
+        ++visits;
+        continue;
+      }
+      const bool split_a =
+          nb.count > 0 || (na.count == 0 && detail::largest(box_a.half) >= detail::largest(box_b.half));
+      const int first = top;
+      for (int child = 0; child < 2; ++child) {
+        NodePair next = split_a ? NodePair{na.left + child, pair.b, 0.0f, visits}
+                                : NodePair{pair.a, nb.left + child, 0.0f, visits};
+        if (matters(next, split_a ? detail::turned(a_.oriented_box(next.a)) : box_a,
+                    split_a ? box_b : posed_.box(next.b)))
+          stack[top++] = next;
+      }
+      if (top == first + 2 && stack[first].gap < stack[first + 1].gap)
+        std::swap(stack[first], stack[first + 1]);
     }
-    // Where little moves, or the box is small beside the cells of the field, the rest tells no more.
-    if (best_.time * fastest_ > 0.1 * radius) {
-      const CenteredBox b = aligned(turned);
-      const Box box{b.center - b.half, b.center + b.half};
-      if (stay_apart(na.box, box, sweep_of(centered(na.box), b))) return false;
+  }
+
+  /// Whether what is in two boxes may come within the margin before the best time, as their axes and the
+  /// field tell; sets the pair's gap.
+  bool matters(NodePair& pair, const detail::TurnedBox& box_a, const detail::TurnedBox& box_b) {
+    const auto outlook =
+        boxes_.look(box_a, box_b, static_cast<float>(best_.time), static_cast<float>(1.000001 * reserve()));
+    pair.gap = outlook.gap;
+    return !outlook.apart && !(field_ && field_keeps_away(pair.b, box_b));
+  }
+
+  bool field_keeps_away(int node, const detail::TurnedBox& box) {
+    Clearance& c = clearances_[static_cast<std::size_t>(node)];
+    if (!c.known) {
+      const Vec3 center(box.center[0], box.center[1], box.center[2]);
+      const double radius = radius_of(box);
+      c = {certain_distance(*field_, center) - radius, speeds_b_.within(center, radius), true};
     }
-    return !field_ || radius < 1.5 * field_->scale() * field_->fine().cell ||
-           certain_distance(*field_, center) <=
-               radius + reserve() + best_.time * speeds_b_.within(center, radius);
+    return c.gap > reserve() + best_.time * c.speed;
   }
 
   bool visit_leaves(const MeshBvh::Node& na, const MeshBvh::Node& nb) {
@@ -254,27 +268,22 @@ class FreeTimeSearch {
   PointSpeeds speeds_a_;
   PointSpeeds speeds_b_;
   double acceleration_;
-  double fastest_;  ///< bound of how fast any two points come together at first
   double margin_;
-  const DistanceField* field_;  ///< of a; may be absent
+  const DistanceField* field_;  ///< of a, at rest; may be absent
+  detail::MovingBoxes boxes_;
+  detail::PosedBoxes posed_;
+  /// What the field says of a node of b.
+  struct Clearance {
+    double gap = 0.0;    ///< [m]
+    double speed = 0.0;  ///< [m/s]
+    bool known = false;
+  };
+  std::vector<Clearance> clearances_;
   FreeTime best_;
   PairHint nearest_;
 };
 
 }  // namespace
-
-double certain_distance(const DistanceField& field, const Vec3& p) {
-  constexpr double half_diagonal = 0.8661;  // of a cell
-  const double scale = field.scale();
-  const Vec3 q = p / scale;
-  const FieldGrid* grid = &field.fine();
-  if (!grid->contains(q)) grid = &field.coarse();
-  if (!grid->contains(q)) {
-    const Box box = grid->box();
-    return scale * (box.min - q).cwiseMax(q - box.max).cwiseMax(Vec3::Zero()).norm();
-  }
-  return scale * (std::abs(grid->value(q)) - half_diagonal * grid->cell);
-}
 
 double time_to_close(double gap, double rate, double acceleration) {
   if (gap <= 0.0) return 0.0;
@@ -294,7 +303,7 @@ FreeTime compute_free_time(const MeshBvh& a, const MeshBvh& b, const Pose& X_AB,
 double compute_rough_free_time(const DistanceField& field, const MeshBvh& b, const Pose& X_AB,
                                const SurfaceMotion& motion, double margin, double horizon) {
   if (b.empty()) return horizon;
-  constexpr double small = 0.004;  // [m] smaller parts tell hardly more, beside the error of the field
+  constexpr double small = 0.002;  // [m] smaller parts tell hardly more, beside the error of the field
   const detail::PosedBoxes posed(b, b, X_AB);
   const PointSpeeds speeds(motion.of_b, X_AB * b.box().center());
   double best = horizon;

@@ -8,6 +8,10 @@ namespace eigengrasp {
 
 namespace {
 
+TriangleCorners posed(const Pose& X, const TriangleCorners& t) {
+  return {X * t.a, X * t.b, X * t.c};
+}
+
 Vec3 unit_normal(const TriangleCorners& t) {
   const Vec3 n = (t.b - t.a).cross(t.c - t.a);
   const double length = n.norm();
@@ -75,28 +79,44 @@ void add_overlap(const TriangleCorners& s, const TriangleCorners& t, double thre
     }
 }
 
+/// What two triangles add to the touching points.
+void add_touches(const MeshBvh& solid, const MeshBvh& link, const Pose& X_SL, const ClosestPair& pair,
+                 double threshold, std::vector<TouchPoint>& points) {
+  constexpr double parallel = -0.999;  // cosine of the normals
+  const TriangleCorners& s = solid.corners(pair.triangle_a);
+  const TriangleCorners t = posed(X_SL, link.corners(pair.triangle_b));
+  const Vec3 n = contact_normal(pair, s, t);
+  if (n.squaredNorm() < 0.5) return;
+  const Vec3 ns = unit_normal(s);
+  if (ns.dot(unit_normal(t)) < parallel && std::abs(ns.dot(pair.p_a - pair.p_b)) > 0.999 * pair.distance) {
+    add_overlap(s, t, threshold, -ns, pair.triangle_b, points);
+  } else if (on_face(s, pair.p_a) || on_face(t, pair.p_b) || pair.distance <= 2e-5 ||
+             nearest_to_each_other(solid, link, X_SL.inverse(), pair)) {
+    points.push_back({pair.p_a, n, pair.distance, pair.triangle_b});
+  }
+}
+
 }  // namespace
 
 std::vector<TouchPoint> find_touch_points(const MeshBvh& solid, const MeshBvh& link, const Pose& X_SL,
                                           double threshold) {
-  constexpr double parallel = -0.999;  // cosine of the normals
   std::vector<TouchPoint> points;
-  const Pose X_LS = X_SL.inverse();
   for_each_pair_within(solid, link, X_SL, threshold, [&](const ClosestPair& pair) {
-    const TriangleCorners& s = solid.corners(pair.triangle_a);
-    const TriangleCorners& local = link.corners(pair.triangle_b);
-    const TriangleCorners posed{X_SL * local.a, X_SL * local.b, X_SL * local.c};
-    const Vec3 n = contact_normal(pair, s, posed);
-    if (n.squaredNorm() < 0.5) return;
-    const Vec3 ns = unit_normal(s);
-    if (ns.dot(unit_normal(posed)) < parallel &&
-        std::abs(ns.dot(pair.p_a - pair.p_b)) > 0.999 * pair.distance) {
-      add_overlap(s, posed, threshold, -ns, pair.triangle_b, points);
-    } else if (on_face(s, pair.p_a) || on_face(posed, pair.p_b) || pair.distance <= 2e-5 ||
-               nearest_to_each_other(solid, link, X_LS, pair)) {
-      points.push_back({pair.p_a, n, pair.distance, pair.triangle_b});
-    }
+    add_touches(solid, link, X_SL, pair, threshold, points);
   });
+  return points;
+}
+
+std::vector<TouchPoint> find_touch_points(const MeshBvh& solid, const MeshBvh& link, const Pose& X_SL,
+                                          double threshold, const PairHint& triangles) {
+  std::vector<TouchPoint> points;
+  if (triangles.triangle_a < 0) return points;
+  ClosestPair pair;
+  pair.triangle_a = triangles.triangle_a;
+  pair.triangle_b = triangles.triangle_b;
+  pair.distance = closest_points_of_triangles(solid.corners(pair.triangle_a),
+                                              posed(X_SL, link.corners(pair.triangle_b)), pair.p_a, pair.p_b);
+  if (pair.distance <= threshold) add_touches(solid, link, X_SL, pair, threshold, points);
   return points;
 }
 

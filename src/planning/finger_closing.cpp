@@ -260,16 +260,19 @@ class FingerCloser {
   bool presses(const Pair& p, double t) {
     const Pose X_OS = other_pose(p, t);
     const Pose X_SL = X_OS.inverse() * motion_.pose(p.link, t);
-    const auto touches =
-        find_touch_points(other_surface(p), surface(p.link).bvh, X_SL, 1.2 * options_.contact_gap);
     const SurfaceMotion motion = motion_of(p, t);
     const double least = 1e-4 * speed(p, motion, t);
-    return std::any_of(touches.begin(), touches.end(), [&](const TouchPoint& touch) {
+    const auto pressed = [&](const TouchPoint& touch) {
       Vec3 velocity = Vec3::Zero();
       for (const Screw& s : motion.of_b) velocity += s.velocity(X_OS * touch.p);
       for (const Screw& s : motion.of_a) velocity -= s.velocity(X_OS * touch.p);
       return velocity.dot(X_OS.linear() * touch.n) > least;
-    });
+    };
+    const double reach = 1.2 * options_.contact_gap;
+    const MeshBvh& link = surface(p.link).bvh;
+    // Mostly the triangles that were seen to touch tell.
+    return std::ranges::any_of(find_touch_points(other_surface(p), link, X_SL, reach, p.hint), pressed) ||
+           std::ranges::any_of(find_touch_points(other_surface(p), link, X_SL, reach), pressed);
   }
 
   /// Stops the moving joints between the pair's links, or between the link and the base.

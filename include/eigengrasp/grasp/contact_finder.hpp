@@ -35,4 +35,8 @@ struct TouchPoint {
 std::vector<TouchPoint> find_touch_points(const MeshBvh& solid, const MeshBvh& link, const Pose& X_SL,
                                           double threshold);
 
+/// Those of one pair of triangles, a's of the solid and b's of the link.
+std::vector<TouchPoint> find_touch_points(const MeshBvh& solid, const MeshBvh& link, const Pose& X_SL,
+                                          double threshold, const PairHint& triangles);
+
 }  // namespace eigengrasp
