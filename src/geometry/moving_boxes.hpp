@@ -27,7 +27,8 @@ inline Float4 components(const TurnedBox& box, Float4 v) {
 }
 
 inline Float4 cross(Float4 a, Float4 b) {
-  const Float4 c = a * __builtin_shufflevector(b, b, 1, 2, 0, 3) - __builtin_shufflevector(a, a, 1, 2, 0, 3) * b;
+  const Float4 c =
+      a * __builtin_shufflevector(b, b, 1, 2, 0, 3) - __builtin_shufflevector(a, a, 1, 2, 0, 3) * b;
   return __builtin_shufflevector(c, c, 1, 2, 0, 3);
 }
 
@@ -71,8 +72,10 @@ class MovingBoxes {
       const Float4 v = joint.linear + cross(joint.angular, of_a ? a.center : b.center);
       const Float4 velocity = of_a ? -v : v;
       const float turn = joint.spin * radius_of(of_a ? a : b);
-      rate_a += larger(towards_a * components(a, velocity) + turn * sine_bound(components(a, joint.axis)), Float4{});
-      rate_b += larger(towards_b * components(b, velocity) + turn * sine_bound(components(b, joint.axis)), Float4{});
+      rate_a += larger(towards_a * components(a, velocity) + turn * sine_bound(components(a, joint.axis)),
+                       Float4{});
+      rate_b += larger(towards_b * components(b, velocity) + turn * sine_bound(components(b, joint.axis)),
+                       Float4{});
     }
     const float motion = 1.00001f * time;
     return {gap, largest(larger(gap_a - motion * rate_a, gap_b - motion * rate_b)) > reserve};

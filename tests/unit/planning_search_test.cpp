@@ -3,6 +3,8 @@
 // Whole plans of simple grippers: repeatable, bounded, checked, and able to say why nothing was found.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "eigengrasp/core/error.hpp"
 #include "eigengrasp/grasp/contact_finder.hpp"
 #include "eigengrasp/kinematics/forward_kinematics.hpp"
@@ -146,6 +148,36 @@ TEST(PlanGrasps, TheWrenchEnergyPlansToo) {
   EXPECT_GT(result.candidates.tested, 0) << result.explanation;
   ASSERT_FALSE(result.grasps.empty());
   EXPECT_EQ(result.grasps[0].provenance.planner, "staged/wrench");
+}
+
+TEST(PlanGrasps, JudgingAllStatesChangesNothingButTheirCounts) {
+  const Scene scene = block_scene();
+  PlanOptions options = quick;
+  PlanResult some = plan_grasps(scene, options);
+  options.judge_all = true;
+  const PlanResult all = plan_grasps(scene, options);
+  ASSERT_FALSE(all.grasps.empty());
+  EXPECT_LT(all.states.legal, some.states.legal) << "states of high energy that collide";
+  some.states = all.states;
+  some.explanation = all.explanation;
+  expect_same(some, all);
+}
+
+TEST(PlanGrasps, ThePapersSearchClosesWhatItKeepsAndTheStagedOneMore) {
+  PlanOptions options = quick;
+  options.search = SearchKind::paper;
+  const PlanResult paper = plan_grasps(block_scene(), options);
+  EXPECT_EQ(paper.states.evaluated, 6000);
+  ASSERT_FALSE(paper.grasps.empty()) << paper.explanation;
+  EXPECT_EQ(paper.grasps[0].provenance.planner, "annealing/contact");
+  EXPECT_EQ(paper.candidates.tested, static_cast<int>(paper.grasps.size()) + paper.candidates.penetrating);
+  const PlanResult staged = plan_grasps(block_scene(), quick);
+  EXPECT_EQ(staged.grasps[0].provenance.planner, "staged/contact");
+  EXPECT_GT(staged.candidates.tested, static_cast<int>(staged.grasps.size()));
+  const auto closed = [](const PlanResult& r) {
+    return std::count_if(r.grasps.begin(), r.grasps.end(), [](const Grasp& g) { return g.form_closure; });
+  };
+  EXPECT_GE(closed(staged), closed(paper));
 }
 
 TEST(PlanGrasps, AvoidsTheTable) {
