@@ -143,7 +143,8 @@ void Annealer::step(double progress, std::int64_t most) {
   }
   const int each = n_lanes / n_chains_;
   for (int first = 0; first < n_lanes; first += each)
-    for (int lane = first; lane < first + each && most > 0; ++lane, --most) {
+    for (int lane = first; lane < first + each && most > 0; ++lane) {
+      --most;
       const auto verdict = lanes_->batch.verdict(lane);
       count(verdict);
       if (verdict != StateEvaluator::Verdict::legal) continue;
