@@ -155,7 +155,7 @@ DistanceField::DistanceField(const MeshBvh& bvh, const DistanceFieldOptions& opt
   if (bvh.empty()) return;
   const Box& box = bvh.box();
   const double largest = box.size().maxCoeff();
-  const double cell = options.cell > 0.0 ? options.cell : std::clamp(largest / 64.0, 0.001, 0.003);
+  const double cell = options.cell > 0.0 ? options.cell : std::clamp(largest / 64.0, 0.001, 0.002);
   auto grids = std::make_shared<Grids>();
   grids->fine = make_grid(box, options.margin, cell, options.region);
   grids->coarse = make_grid(box, options.far_margin, 0.008, options.region);

@@ -34,9 +34,14 @@ TEST(CollisionModel, FingersOnABoxAreLegalUntilTheyEnterIt) {
     EXPECT_EQ(model.check_exact(pose_gripper(hand, q, X_OH)), Legality::legal) << q;
   for (const double q : {0.0251, 0.030, 0.040})
     EXPECT_EQ(model.check_exact(pose_gripper(hand, q, X_OH)), Legality::hits_object) << q;
+  CollisionModel::Options options;
+  options.refuse_depth = 0.0;
+  const CollisionModel without_margin(model.scene(), options);
   for (const double q : {0.0, 0.020, 0.0249})
+    EXPECT_EQ(without_margin.check_fast(pose_gripper(hand, q, X_OH)), Legality::legal) << q;
+  for (const double q : {0.0, 0.020, 0.0245})
     EXPECT_EQ(model.check_fast(pose_gripper(hand, q, X_OH)), Legality::legal) << q;
-  for (const double q : {0.0275, 0.030, 0.040})
+  for (const double q : {0.0260, 0.0275, 0.030, 0.040})
     EXPECT_EQ(model.check_fast(pose_gripper(hand, q, X_OH)), Legality::hits_object) << q;
 }
 

@@ -31,7 +31,7 @@ struct FieldGrid {
 };
 
 struct DistanceFieldOptions {
-  double cell = 0.0;          ///< of the fine grid [m]; 0: a 64th of the largest side, between 1 and 3 mm
+  double cell = 0.0;          ///< of the fine grid [m]; 0: a 64th of the largest side, between 1 and 2 mm
   double margin = 0.020;      ///< of the fine grid about the object [m]
   double far_margin = 0.260;  ///< of the coarse grid about the object [m]
   Box region;                 ///< only this part of space is gridded; empty: all about the surface

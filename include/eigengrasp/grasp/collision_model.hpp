@@ -41,9 +41,11 @@ struct HandSurfaces {
 class CollisionModel {
  public:
   struct Options {
-    double cover_tolerance = 0.0007;  ///< [m] deepest intrusion that no inner sphere notices
-    double refuse_depth = 0.0;        ///< [m] spheres that intrude less are let pass
-    bool fast = true;                 ///< prepare distance fields and spheres; else only exact queries work
+    double cover_tolerance = 0.0010;  ///< [m] deepest intrusion that no inner sphere notices
+    /// [m] Spheres that intrude less are let pass; negative: those that come nearer are refused, which makes
+    /// up for part of the cover's tolerance and the field's error.
+    double refuse_depth = -0.0004;
+    bool fast = true;  ///< prepare distance fields and spheres; else only exact queries work
     int threads = 0;
     std::shared_ptr<PreparationCache> cache = {};  ///< of fields and spheres; none: all is made anew
   };

@@ -283,8 +283,8 @@ class Evaluation {
     const F c11 = gather<B>(g.clearance, at + up + one);
     constexpr float unsure =
         0.0007f;  // [m] how far the clearance inside a cell may be from that at its corners
-    end(bits(max(max(c00, c10), max(c01, c11)) < F(-unsure)) & alive_, hits_itself);
-    return bits(min(min(c00, c10), min(c01, c11)) < F(unsure));
+    end(bits(max(max(c00, c10), max(c01, c11)) < F(-p_.refuse_depth - unsure)) & alive_, hits_itself);
+    return bits(min(min(c00, c10), min(c01, c11)) < F(-p_.refuse_depth + unsure));
   }
 
   void meet_itself(std::uint32_t unsure) {
