@@ -36,12 +36,15 @@ struct Tally {
     too_deep += t.too_deep;
     deepest = std::max(deepest, t.deepest);
   }
-  double refused() const { return static_cast<double>(refused_by_object + refused_by_hand) / std::max(1, legal); }
+  double refused() const {
+    return static_cast<double>(refused_by_object + refused_by_hand) / std::max(1, legal);
+  }
 };
 
 void print(const std::string& name, const Tally& t) {
   std::cout << fmt::format(
-      "{:32} {:6} states, {:6} legal, {:5.2f} % refused ({} by the object, {} by the hand); called legal, but "
+      "{:32} {:6} states, {:6} legal, {:5.2f} % refused ({} by the object, {} by the hand); called legal, "
+      "but "
       "intrude: {}, {} deeper than 1 mm, deepest {:.2f} mm\n",
       name, t.states, t.legal, 100.0 * t.refused(), t.refused_by_object, t.refused_by_hand, t.intruding,
       t.too_deep, 1000.0 * t.deepest);
@@ -74,7 +77,8 @@ struct Pair {
 std::vector<Pair> read_pairs(const std::filesystem::path& states) {
   std::vector<Pair> pairs;
   testing::for_each_reference(states, [&](const testing::ReferenceLine& line) {
-    if (pairs.empty() || pairs.back().name != line.pair) pairs.push_back({line.pair, line.scene, {}, {}, {}, {}});
+    if (pairs.empty() || pairs.back().name != line.pair)
+      pairs.push_back({line.pair, line.scene, {}, {}, {}, {}});
     pairs.back().X_OH.push_back(line.X_OH);
     pairs.back().dofs.push_back(testing::vector_of(line.json["dofs"]));
   });

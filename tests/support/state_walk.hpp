@@ -78,7 +78,8 @@ class SeenWalk {
     for (int step = 0; step < steps; ++step) {
       const double progress = static_cast<double>(step) / steps;
       const double width = schedule.temperature(progress);
-      for (int c = 0; c < n; ++c) batch_.set(c, any_neighbor(space_, now[static_cast<std::size_t>(c)], width, random_));
+      for (int c = 0; c < n; ++c)
+        batch_.set(c, any_neighbor(space_, now[static_cast<std::size_t>(c)], width, random_));
       evaluator_.evaluate(batch_);
       see(batch_);
       for (int c = 0; c < n; ++c) {

@@ -30,7 +30,8 @@ struct Walks {
         space(scene, 2),
         evaluator(model, space.postures, alpha, set) {}
 
-  Annealer annealer(std::uint64_t number, int n_chains, std::size_t capacity = 20, std::uint64_t seed = 5) const {
+  Annealer annealer(std::uint64_t number, int n_chains, std::size_t capacity = 20,
+                    std::uint64_t seed = 5) const {
     Distinctness distinct;
     distinct.approach_point_H = model.scene().hand->approach_point_H;
     return Annealer({model, energy, space, evaluator, {}, seed}, number, n_chains, {capacity, distinct});
@@ -150,8 +151,8 @@ TEST(Annealer, AStartThatIsGivenIsWhereAChainGoesOnFrom) {
   Annealer found = walks.annealer(4, 16);
   anneal(found, 500);
   const PreGrasp& best = found.best().items().front();
-  HandState start{best.X_OH * walks.model.scene().hand->approach_point_H, Eigen::Quaterniond(best.X_OH.linear()),
-                  best.amplitudes};
+  HandState start{best.X_OH * walks.model.scene().hand->approach_point_H,
+                  Eigen::Quaterniond(best.X_OH.linear()), best.amplitudes};
   Annealer annealer = walks.annealer(9, 1);
   annealer.restart(0, start);
   for (int i = 0; i < 50 && annealer.best().items().empty(); ++i) annealer.step(1.0, endless);
@@ -159,7 +160,8 @@ TEST(Annealer, AStartThatIsGivenIsWhereAChainGoesOnFrom) {
   EXPECT_LT((annealer.milestones().front().X_OH.translation() - best.X_OH.translation()).norm(), 0.3);
 }
 
-/// Share of states that are counted legal (some of too high an energy are not asked), and mean of the best energies, over many walks of the same length.
+/// Share of states that are counted legal (some of too high an energy are not asked), and mean of the best
+/// energies, over many walks of the same length.
 struct Statistics {
   double legal_share;
   double best_energy;
@@ -211,8 +213,8 @@ TEST(Annealer, ALoneChainWalksAsOneOfSixteenAndAsScalarCode) {
     return measure(annealer);
   });
   std::cout << "lone: legal " << lone.legal_share << ", best " << lone.best_energy << "; sixteen: legal "
-            << together.legal_share << ", best of all " << together.best_energy << "; scalar: best "
-            << best << "\n";
+            << together.legal_share << ", best of all " << together.best_energy << "; scalar: best " << best
+            << "\n";
   EXPECT_NEAR(lone.legal_share, together.legal_share, 0.01);
   EXPECT_NEAR(lone.best_energy, best, 0.1 * best);
   EXPECT_LE(together.best_energy, lone.best_energy);

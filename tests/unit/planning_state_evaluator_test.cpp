@@ -84,8 +84,9 @@ void expect_sets_agree(const CollisionModel& model, int n_amplitudes, int n_rand
   const auto states = mixed_states(space, baseline, n_random, n_steps);
   const auto all = evaluate_all(baseline, states);
   const auto good = evaluate_all(baseline, states, 40.0);
-  EXPECT_GT(std::count_if(all.begin(), all.end(), [](const Outcome& o) { return o.verdict == Verdict::legal; }),
-            static_cast<std::ptrdiff_t>(all.size() / 10));
+  EXPECT_GT(
+      std::count_if(all.begin(), all.end(), [](const Outcome& o) { return o.verdict == Verdict::legal; }),
+      static_cast<std::ptrdiff_t>(all.size() / 10));
   for (const InstructionSet set : available_instruction_sets()) {
     SCOPED_TRACE(name_of(set));
     const StateEvaluator evaluator(model, space.postures, alpha, set);
@@ -140,8 +141,9 @@ TEST(StateEvaluator, PosesAndEnergyVsDoublePrecision) {
     }
     ASSERT_GT(good.size(), 100u);
     std::sort(good.begin(), good.end());
-    std::cout << hand << ": " << good.size() << " of " << residuals.size() << " states with good gradients, median "
-              << median(good) << ", largest " << good.back() << " mm; all: median " << median(residuals) << "\n";
+    std::cout << hand << ": " << good.size() << " of " << residuals.size()
+              << " states with good gradients, median " << median(good) << ", largest " << good.back()
+              << " mm; all: median " << median(residuals) << "\n";
     EXPECT_LT(median(good), 1e-4);
     EXPECT_LT(good.back(), 1e-3);
     EXPECT_LT(median(residuals), 1e-3);
@@ -159,7 +161,8 @@ class Judge {
     evaluator_ = std::make_unique<StateEvaluator>(model_, space_.postures, alpha);
   }
   Verdict operator()(const Pose& X_OH, const VecX& dofs = {}) const {
-    const HandState state{X_OH * model_.scene().hand->approach_point_H, Eigen::Quaterniond(X_OH.linear()), dofs};
+    const HandState state{X_OH * model_.scene().hand->approach_point_H, Eigen::Quaterniond(X_OH.linear()),
+                          dofs};
     return evaluate_all(*evaluator_, {state})[0].verdict;
   }
   const CollisionModel& model() const { return model_; }
@@ -178,7 +181,8 @@ std::shared_ptr<HandModel> rigid(TriangleMesh mesh) {
 }
 
 TEST(StateEvaluator, FingersOnABoxAreLegalUntilTheyEnterIt) {
-  const Judge judge(scene_of(testing::parallel_gripper(), solid(box_mesh({0.04, 0.04, 0.04}), {0.0, 0.0, 0.03})));
+  const Judge judge(
+      scene_of(testing::parallel_gripper(), solid(box_mesh({0.04, 0.04, 0.04}), {0.0, 0.0, 0.03})));
   for (const double q : {0.0, 0.020, 0.0240})
     EXPECT_EQ(judge(Pose::Identity(), VecX::Constant(1, q)), Verdict::legal) << q;
   for (const double q : {0.0262, 0.030, 0.040})
@@ -186,7 +190,8 @@ TEST(StateEvaluator, FingersOnABoxAreLegalUntilTheyEnterIt) {
 }
 
 TEST(StateEvaluator, FingersMeetEachOther) {
-  const Judge judge(scene_of(testing::parallel_gripper(DofType::rigid, 0.06), solid(box_mesh({0.04, 0.04, 0.04}))));
+  const Judge judge(
+      scene_of(testing::parallel_gripper(DofType::rigid, 0.06), solid(box_mesh({0.04, 0.04, 0.04}))));
   const Pose away = at(0.0, 0.0, 0.3);
   EXPECT_EQ(judge(away, VecX::Constant(1, 0.0440)), Verdict::legal);
   EXPECT_EQ(judge(away, VecX::Constant(1, 0.0458)), Verdict::hits_itself);
@@ -194,8 +199,8 @@ TEST(StateEvaluator, FingersMeetEachOther) {
 }
 
 TEST(StateEvaluator, TheTableIsAnObstacle) {
-  const Judge judge(scene_of(testing::parallel_gripper(), solid(box_mesh({0.04, 0.04, 0.04}), {0.0, 0.0, 0.03}),
-                             {make_table(0.01)}));
+  const Judge judge(scene_of(testing::parallel_gripper(),
+                             solid(box_mesh({0.04, 0.04, 0.04}), {0.0, 0.0, 0.03}), {make_table(0.01)}));
   Pose from_above = make_pose(Eigen::Quaterniond(0.0, 1.0, 0.0, 0.0), {0.0, 0.0, 0.075});
   EXPECT_EQ(judge(from_above, VecX::Zero(1)), Verdict::legal);
   from_above.translation().z() = 0.0690;  // tips at 8 mm
@@ -241,7 +246,8 @@ TEST(StateEvaluator, FarOutsideOfTheGridsAllIsLegalAndTheEnergyIsTheDistance) {
 
 // check_fast has spheres against spheres for links, where the evaluator has a field: only the object counts.
 TEST(StateEvaluator, LegalityVsMeshesAndScalarCode) {
-  const CollisionModel model = fast_model(scene_of(testing::two_finger_hand(), solid(testing::torus_mesh(0.03, 0.012))));
+  const CollisionModel model =
+      fast_model(scene_of(testing::two_finger_hand(), solid(testing::torus_mesh(0.03, 0.012))));
   const SearchSpace space(model.scene(), 2);
   const StateEvaluator evaluator(model, space.postures, alpha);
   const auto states = mixed_states(space, evaluator, 1500, 100);
