@@ -86,7 +86,8 @@ double compute_rough_free_time(const MeshBvh& a, const Pose& X_OA, const MeshBvh
       best = time;
       continue;
     }
-    const bool split_a = nb.count > 0 || (na.count == 0 && detail::largest(box_a.half) >= detail::largest(box_b.half));
+    const bool split_a =
+        nb.count > 0 || (na.count == 0 && detail::largest(box_a.half) >= detail::largest(box_b.half));
     for (int child = 0; child < 2; ++child)
       stack[top++] = split_a ? NodePair{na.left + child, pair.b} : NodePair{pair.a, nb.left + child};
   }
