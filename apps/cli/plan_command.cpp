@@ -61,8 +61,10 @@ void print_summary(const Scene& scene, const PlanResult& result, const PlanChoic
   if (!result.grasps.empty()) fmt::print("{}", grasps_table(*scene.hand, result.grasps, choice.rows));
   fmt::print("{}{}\n", result.stopped_early ? "stopped early; " : "", result.explanation);
   const PlanTimings& t = result.timings;
-  fmt::print("{} states in {:.2f} s, {} pre-grasps closed and rated in {:.2f} s, preparation {:.2f} s\n",
-             result.states.evaluated, t.search, result.candidates.tested, t.close, t.prepare);
+  fmt::print(
+      "{} states in {:.3f} s, {} pre-grasps closed and rated in {:.3f} s, volumes of the kept ones {:.2f} s, "
+      "preparation {:.2f} s\n",
+      result.states.evaluated, t.search, result.candidates.tested, t.close, t.volume, t.prepare);
   fmt::print("written to {}\n", choice.out.string());
 }
 

@@ -79,13 +79,14 @@ PlanOptions plan_options(const PerformanceOptions& options, int threads, std::ui
 /// The planner's runs on so many threads.
 class RunBench {
  public:
-  RunBench(const Scene& scene, const PerformanceOptions& options, int threads)
-      : scene_(scene), options_(options), threads_(threads) {}
+  RunBench(const Scene& scene, const PerformanceOptions& options, int threads, bool judge_all = false)
+      : scene_(scene), options_(options), threads_(threads), judge_all_(judge_all) {}
 
   /// The next seed. @return of the run
   PlanResult run(std::shared_ptr<PreparationCache> cache) {
     PlanOptions plan = plan_options(options_, threads_, run_.size() + 1);
     plan.cache = std::move(cache);
+    plan.judge_all = judge_all_;
     PlanResult result = plan_grasps(scene_, plan);
     run_.push_back(result.timings.search + result.timings.close);
     rate_.push_back(static_cast<double>(result.states.evaluated) / result.timings.search);
@@ -105,6 +106,7 @@ class RunBench {
   const Scene& scene_;
   const PerformanceOptions& options_;
   int threads_;
+  bool judge_all_;
   std::vector<double> run_, rate_;
   std::int64_t evaluated_ = 0;
   std::int64_t legal_ = 0;
@@ -120,7 +122,11 @@ ThreadedPerformance measure_runs(const Scene& scene, const PerformanceOptions& o
   repeat(options.seconds, options.stop, [&] { cached.push_back(bench.run(folder.cache()).timings.prepare); });
   if (threads == 1) {
     out.runs = bench.runs();
-    out.legal_share = bench.legal_share();
+    RunBench judged(scene, options, 1, true);
+    const auto cache = folder.cache();
+    repeat(options.seconds, options.stop, [&] { judged.run(cache); });
+    out.legal_share = judged.legal_share();
+    out.judged_per_second = judged.median_rate();
   }
   return {threads, first.timings.prepare, median(cached), bench.median_run(), bench.median_rate(), 0.0};
 }

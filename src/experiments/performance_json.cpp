@@ -12,6 +12,7 @@ OrderedJson scene_json(const ScenePerformance& scene) {
                    {"object", scene.object},
                    {"runs", scene.runs},
                    {"legal_share", scene.legal_share},
+                   {"judged_states_per_second", scene.judged_per_second},
                    {"candidates", scene.candidates},
                    {"contacts_mean", scene.contacts},
                    {"microseconds",

@@ -8,6 +8,7 @@
 #include <unordered_set>
 
 #include "eigengrasp/geometry/sphere_cover.hpp"
+#include "geometry/hole_lids.hpp"
 #include "geometry/point_tree.hpp"
 
 namespace eigengrasp {
@@ -349,10 +350,8 @@ class GapSearch {
   std::vector<int> near_;  ///< a stack of lists
 };
 
-}  // namespace
-
-std::vector<Sphere> cover_with_inner_spheres(const TriangleMesh& mesh, const MeshBvh& bvh, double tolerance) {
-  if (mesh.empty()) return {};
+/// @param bvh of the mesh, and of further triangles that no sphere may cross
+std::vector<Sphere> cover(const TriangleMesh& mesh, const MeshBvh& bvh, double tolerance) {
   const double size = std::sqrt(surface_area(mesh));  // large surfaces get larger pieces
   const SurfaceSamples samples = sample_thinly(mesh, bvh, std::max(1.4 * tolerance, size / 250.0));
   std::vector<Sphere> spheres = SphereChoice(bvh, 0.9 * tolerance, samples, 3.0 * tolerance).run();
@@ -365,6 +364,18 @@ std::vector<Sphere> cover_with_inner_spheres(const TriangleMesh& mesh, const Mes
   std::stable_sort(spheres.begin(), spheres.end(),
                    [](const Sphere& a, const Sphere& b) { return a.radius > b.radius; });
   return spheres;
+}
+
+}  // namespace
+
+// Out of a hole the spheres would bulge.
+std::vector<Sphere> cover_with_inner_spheres(const TriangleMesh& mesh, const MeshBvh& bvh, double tolerance) {
+  if (mesh.empty()) return {};
+  const TriangleMesh lids = make_hole_lids(mesh);
+  if (lids.empty()) return cover(mesh, bvh, tolerance);
+  TriangleMesh closed = mesh;
+  append(closed, lids);
+  return cover(mesh, MeshBvh(closed), tolerance);
 }
 
 }  // namespace eigengrasp

@@ -179,7 +179,7 @@ DistanceField PreparationCache::field_of(const std::string& content_key, const M
 
 std::vector<Sphere> PreparationCache::inner_spheres(const TriangleMesh& mesh, const MeshBvh& bvh,
                                                     double tolerance) {
-  const std::string key = fmt::format("spheres {} tolerance {:a}", content_key_of(mesh), tolerance);
+  const std::string key = fmt::format("inner spheres {} tolerance {:a}", content_key_of(mesh), tolerance);
   if (const auto payload = read(key))
     if (auto spheres = spheres_of(*payload)) return *std::move(spheres);
   std::vector<Sphere> spheres = cover_with_inner_spheres(mesh, bvh, tolerance);

@@ -136,16 +136,17 @@ void Annealer::step(double progress, std::int64_t most) {
   const kernel::Chains& chains = lanes_->memory.chains();
   set_temperatures(progress);
   task_.evaluator.functions_->propose(lanes_->box, chains, work);
-  if (task_.energy.kind() == EnergyKind::wrench) {
-    judge_by_wrenches();
+  if (task_.judge_all || task_.energy.kind() == EnergyKind::wrench) {
+    judge_in_full();
   } else {
     task_.evaluator.evaluate(lanes_->batch);
   }
   const int each = n_lanes / n_chains_;
   for (int first = 0; first < n_lanes; first += each)
-    for (int lane = first; lane < first + each && most > 0; ++lane, --most) {
+    for (int lane = first; lane < first + each && most > 0; ++lane) {
       const auto verdict = lanes_->batch.verdict(lane);
       count(verdict);
+      --most;
       if (verdict != StateEvaluator::Verdict::legal) continue;
       for (int k = first; k < first + each; ++k) {
         copy_lane(lanes_->proposals(), lane, lanes_->current(), k, task_.space.postures.size());
@@ -156,8 +157,9 @@ void Annealer::step(double progress, std::int64_t most) {
     }
 }
 
-/// Legality in lanes; then the energy of those that are legal, one by one.
-void Annealer::judge_by_wrenches() {
+/// Legality of all states in lanes; then the energy of eq. (8) one by one where that is asked for; thresholds
+/// last.
+void Annealer::judge_in_full() {
   const HandModel& hand = *task_.model.scene().hand;
   const kernel::Workspace& work = lanes_->batch.memory_->work();
   float thresholds[n_lanes];
@@ -166,11 +168,13 @@ void Annealer::judge_by_wrenches() {
   task_.evaluator.evaluate(lanes_->batch);
   for (int lane = 0; lane < n_lanes; ++lane) {
     if (lanes_->batch.verdict(lane) != StateEvaluator::Verdict::legal) continue;
-    const HandState state = lanes_->batch.state(lane);
-    compute_link_poses(hand, joint_values(hand, hand_posture(hand, task_.space, state)),
-                       hand_pose(hand, state), lanes_->X_OL);
-    work.energy[lane] =
-        static_cast<float>(task_.energy.evaluate(lanes_->X_OL, DistanceSource::field, lanes_->approaches));
+    if (task_.energy.kind() == EnergyKind::wrench) {
+      const HandState state = lanes_->batch.state(lane);
+      const VecX joints = joint_values(hand, hand_posture(hand, task_.space, state));
+      compute_link_poses(hand, joints, hand_pose(hand, state), lanes_->X_OL);
+      work.energy[lane] =
+          static_cast<float>(task_.energy.evaluate(lanes_->X_OL, DistanceSource::field, lanes_->approaches));
+    }
     if (!(work.energy[lane] < thresholds[lane])) work.verdict[lane] = kernel::energy_too_high;
   }
 }

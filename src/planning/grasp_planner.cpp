@@ -3,12 +3,12 @@
 #include "eigengrasp/planning/grasp_planner.hpp"
 
 #include <algorithm>
-#include <chrono>
 
 #include "eigengrasp/core/error.hpp"
 #include "eigengrasp/core/version.hpp"
 #include "planning/plan_summary.hpp"
 #include "planning/pregrasp_search.hpp"
+#include "planning/stop_watch.hpp"
 
 namespace eigengrasp {
 
@@ -41,25 +41,12 @@ void take_over(SearchResult& found, const GraspEnergy& energy, const PlanOptions
   });
 }
 
-/// Seconds since the last call.
-class StopWatch {
- public:
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const double seconds = std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-    return seconds;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
-
 }  // namespace
 
 PlanResult plan_grasps(const Scene& scene, const PlanOptions& options) {
   require_sound(options, scene);
   PlanResult result;
+  StopWatch whole;
   StopWatch watch;
 
   // What the hand can hit, and how good a pre-grasp is.
@@ -74,15 +61,18 @@ PlanResult plan_grasps(const Scene& scene, const PlanOptions& options) {
 
   // Search eigengrasp space and wrist pose for pre-grasps; close the fingers of the best ones.
   PlanBudget budget(options);
-  const Annealer::Task task{model, energy, space, evaluator, AnnealingSchedule{}, options.seed};
+  const Annealer::Task task{model,        energy,           space, evaluator, AnnealingSchedule{},
+                            options.seed, options.judge_all};
   SearchResult found = options.search == SearchKind::paper ? search_as_the_paper(task, options, budget)
                                                            : search_in_stages(task, options, budget);
   result.stopped_early = budget.ended_early();
-  result.timings.search = watch.lap();
+  result.timings.search = found.anneal_seconds;
+  result.timings.close = found.close_seconds;
+  watch.lap();
   take_over(found, energy, options, result);
-  result.timings.close = watch.lap();
+  result.timings.volume = watch.lap();
 
-  result.timings.total = result.timings.prepare + result.timings.search + result.timings.close;
+  result.timings.total = whole.lap();
   explain(scene, options, result);
   return result;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
 #include "planning/pregrasp_search.hpp"
+#include "planning/stop_watch.hpp"
 
 namespace eigengrasp {
 
@@ -16,11 +17,13 @@ SearchResult search_as_the_paper(const Annealer::Task& task, const PlanOptions& 
   const auto wanted = static_cast<std::size_t>(options.grasps);
   std::vector<Annealer> annealers;
   annealers.emplace_back(task, 0, 1, PreGraspList(spare_factor * wanted, distinctness_of(hand)));
+  StopWatch watch;
   while (budget.anneal(annealers[0], budget.repeats() ? round_length : options.iterations, 0) &&
          budget.repeats())
     annealers[0].restart();
 
   SearchResult result;
+  result.anneal_seconds = watch.lap();
   summarise_annealers(annealers, result);
   // Legal by exact meshes first, then the best that are still distinct, then close those.
   std::vector<PreGrasp> pool = annealers[0].best().items();
@@ -30,7 +33,8 @@ SearchResult search_as_the_paper(const Annealer::Task& task, const PlanOptions& 
   PreGraspList best(wanted, distinctness_of(hand));
   for (std::size_t i = 0; i < pool.size(); ++i)
     if (legal[i]) best.add(pool[i]);
-  result.kept = test_all(task, best.items(), options);
+  result.kept = test_all(task, best.items(), options, 0.0);
+  result.close_seconds = watch.lap();
   count_outcomes(result.kept, result.candidates);
   return result;
 }

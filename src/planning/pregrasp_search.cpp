@@ -4,6 +4,9 @@
 
 #include <algorithm>
 
+#include "eigengrasp/kinematics/forward_kinematics.hpp"
+#include "eigengrasp/planning/palm_approach.hpp"
+
 namespace eigengrasp {
 
 Distinctness distinctness_of(const HandModel& hand) {
@@ -12,8 +15,28 @@ Distinctness distinctness_of(const HandModel& hand) {
   return d;
 }
 
+namespace {
+
+/// The pre-grasp after the palm has moved up to the object, and how it closes then; without test where the
+/// palm does not come to touch.
+TestedPreGrasp test_after_approach(const Annealer::Task& task, PreGrasp pregrasp, double most_travel) {
+  constexpr double least_travel = 0.001;  // [m] less is no other pre-grasp
+  const VecX joints = joint_values(*task.model.scene().hand, pregrasp.dofs);
+  const PalmApproach approach = approach_until_contact(task.model, pregrasp.X_OH, joints, most_travel);
+  TestedPreGrasp tested;
+  if (!approach.touches || approach.travel < least_travel) return tested;
+  pregrasp.X_OH = approach.X_OH;
+  if (!make_exactly_legal(task.model, task.energy, pregrasp)) return tested;
+  tested.result = test_candidate(task.model, task.energy, pregrasp);
+  tested.result.tests = 1;
+  tested.pregrasp = std::move(pregrasp);
+  return tested;
+}
+
+}  // namespace
+
 std::vector<TestedPreGrasp> test_all(const Annealer::Task& task, std::vector<PreGrasp> pregrasps,
-                                     const PlanOptions& options) {
+                                     const PlanOptions& options, double approach) {
   std::vector<TestedPreGrasp> tested(pregrasps.size());
   parallel_for(pregrasps.size(), options.threads, [&](std::size_t i, int) {
     if (options.stop && options.stop->stop_requested()) return;
@@ -21,6 +44,9 @@ std::vector<TestedPreGrasp> test_all(const Annealer::Task& task, std::vector<Pre
     tested[i].result = test_candidate(task.model, task.energy, pregrasps[i]);
     tested[i].result.tests = 1;
     tested[i].pregrasp = std::move(pregrasps[i]);
+    if (tested[i].result.grasp.form_closure || approach <= 0.0) return;
+    TestedPreGrasp nearer = test_after_approach(task, tested[i].pregrasp, approach);
+    if (nearer.result.grasp.form_closure) tested[i] = std::move(nearer);
   });
   std::erase_if(tested, [](const TestedPreGrasp& t) { return t.result.tests == 0; });
   return tested;

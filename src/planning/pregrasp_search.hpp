@@ -21,22 +21,27 @@ struct SearchResult {
   CandidateCounts candidates;        ///< of all that were closed
   StateCounts states;
   std::vector<SearchMilestone> milestones;  ///< of the annealer that found the best state
+  double anneal_seconds = 0.0;              ///< wall time of drawing and evaluating states
+  double close_seconds = 0.0;               ///< of exact legality, closing, contacts, epsilon, exact check
 };
-
-/// How far apart two pre-grasps of a hand must be.
-Distinctness distinctness_of(const HandModel& hand);
 
 /// Section III: one chain of annealing; the best distinct pre-grasps are closed at the end.
 SearchResult search_as_the_paper(const Annealer::Task& task, const PlanOptions& options, PlanBudget& budget);
 
-/// Rounds of many short chains. After each round the best pre-grasps that are new are closed. Those that
-/// close to form closure are preferred, and the next round begins near some of them as well as anywhere.
+/// Stages of many short chains. After each stage the best pre-grasps that are unlike earlier ones are closed,
+/// where they stand or, failing that, after the palm has moved up to the object. Those that close are
+/// preferred, and some chains of the next stage begin near them.
 SearchResult search_in_stages(const Annealer::Task& task, const PlanOptions& options, PlanBudget& budget);
+
+/// How far apart two pre-grasps of a hand must be.
+Distinctness distinctness_of(const HandModel& hand);
 
 /// Closes pre-grasps on all threads, after making them legal by exact meshes; those that cannot be are left
 /// out.
+/// @param approach where a pre-grasp does not close to form closure, the palm moves up to the object by at
+/// most this [m] and the fingers close again; 0: no second try
 std::vector<TestedPreGrasp> test_all(const Annealer::Task& task, std::vector<PreGrasp> pregrasps,
-                                     const PlanOptions& options);
+                                     const PlanOptions& options, double approach);
 
 /// Adds up what became of candidates.
 void count_outcomes(const std::vector<TestedPreGrasp>& tested, CandidateCounts& counts);

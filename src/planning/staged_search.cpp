@@ -1,136 +1,82 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
 #include <algorithm>
-#include <cstdlib>
 
+#include "planning/harvest.hpp"
+#include "planning/kernel/lanes.hpp"
 #include "planning/pregrasp_search.hpp"
+#include "planning/stop_watch.hpp"
 
 namespace eigengrasp {
 
 namespace {
-int knob(const char* name, int value) {
-  const char* t = std::getenv(name);
-  return t ? std::atoi(t) : value;
+
+constexpr int chains_of_annealer = kernel::n_lanes;
+constexpr int most_stages = 12;
+constexpr std::int64_t least_steps = 60;  ///< of a chain in a stage
+constexpr std::int64_t steps_without_budget =
+    200;                               ///< of a chain in a stage, where only a time limit is given
+constexpr int chains_that_return = 8;  ///< of an annealer: they begin near what closed
+constexpr std::size_t list_size = 40;  ///< of an annealer, for one stage
+
+int stages_for(const PlanOptions& options, int n_chains) {
+  const std::int64_t stages = options.iterations / (n_chains * least_steps);
+  return static_cast<int>(std::clamp<std::int64_t>(stages, 1, most_stages));
 }
-double knobd(const char* name, double value) {
-  const char* t = std::getenv(name);
-  return t ? std::atof(t) : value;
+
+/// Pre-grasps to close after a stage: as many as are wanted in the end, fewer once that many close.
+std::size_t tests_after_stage(const Harvest& harvest, const PlanOptions& options) {
+  const auto wanted = static_cast<std::size_t>(options.grasps);
+  return harvest.n_closed() >= wanted ? std::max<std::size_t>(1, wanted / 2) : wanted;
 }
 
-constexpr std::int64_t round_length = 20000;  ///< states of a stage, where only a time limit is given
+HandState state_of(const HandModel& hand, const PreGrasp& p) {
+  return {p.X_OH * hand.approach_point_H, orientation(p.X_OH), p.amplitudes};
+}
 
-/// Everything that was closed so far, and which of it is worth keeping.
-class Harvest {
- public:
-  Harvest(const Annealer::Task& task, const PlanOptions& options)
-      : task_(task), options_(options), distinct_(distinctness_of(*task.model.scene().hand)) {}
-
-  /// Closes the best pre-grasps of the annealers that are unlike all that was closed before.
-  void gather(const std::vector<Annealer>& annealers, std::size_t most) {
-    std::vector<PreGrasp> pool;
-    for (const Annealer& a : annealers)
-      pool.insert(pool.end(), a.best().items().begin(), a.best().items().end());
-    std::stable_sort(pool.begin(), pool.end(),
-                     [](const PreGrasp& a, const PreGrasp& b) { return a.energy < b.energy; });
-    std::vector<PreGrasp> chosen;
-    for (const PreGrasp& p : pool) {
-      if (chosen.size() == most) break;
-      if (is_new(p, chosen)) chosen.push_back(p);
-    }
-    auto tested = test_all(task_, std::move(chosen), options_);
-    for (TestedPreGrasp& t : tested) tested_.push_back(std::move(t));
+/// All chains begin anew: some near pre-grasps that closed, the others anywhere.
+void begin_stage(std::vector<Annealer>& annealers, const Harvest& harvest, const HandModel& hand,
+                 RandomStream& random) {
+  for (Annealer& a : annealers) {
+    a.forget();
+    a.restart();
+    for (int c = 0; c < chains_that_return && harvest.n_closed() > 0; ++c)
+      a.restart(c, state_of(hand, harvest.draw_closed(random.uniform())));
   }
-
-  int closed() const {
-    return static_cast<int>(std::count_if(
-        tested_.begin(), tested_.end(), [](const TestedPreGrasp& t) { return t.result.grasp.form_closure; }));
-  }
-  const std::vector<TestedPreGrasp>& all() const { return tested_; }
-
-  /// Distinct pre-grasps, those that closed by rising energy first.
-  std::vector<TestedPreGrasp> best() const {
-    std::vector<const TestedPreGrasp*> order;
-    for (const TestedPreGrasp& t : tested_) order.push_back(&t);
-    std::stable_sort(order.begin(), order.end(), [](const TestedPreGrasp* a, const TestedPreGrasp* b) {
-      const bool ca = a->result.grasp.form_closure;
-      const bool cb = b->result.grasp.form_closure;
-      if (ca != cb) return ca;
-      return ca ? a->result.grasp.epsilon > b->result.grasp.epsilon : a->pregrasp.energy < b->pregrasp.energy;
-    });
-    std::vector<TestedPreGrasp> kept;
-    for (const TestedPreGrasp* t : order) {
-      if (static_cast<int>(kept.size()) == options_.grasps) break;
-      const bool distinct = std::none_of(kept.begin(), kept.end(), [&](const TestedPreGrasp& k) {
-        return distinct_.between(k.pregrasp, t->pregrasp) < 1.0;
-      });
-      if (distinct) kept.push_back(*t);
-    }
-    return kept;
-  }
-
- private:
-  bool is_new(const PreGrasp& p, const std::vector<PreGrasp>& chosen) const {
-    const auto alike = [&](const PreGrasp& other) { return distinct_.between(p, other) < 1.0; };
-    return std::none_of(chosen.begin(), chosen.end(), alike) &&
-           std::none_of(tested_.begin(), tested_.end(),
-                        [&](const TestedPreGrasp& t) { return alike(t.pregrasp); });
-  }
-
-  const Annealer::Task& task_;
-  const PlanOptions& options_;
-  Distinctness distinct_;
-  std::vector<TestedPreGrasp> tested_;
-};
+}
 
 }  // namespace
 
-SearchResult search_in_stages(const Annealer::Task& given, const PlanOptions& options, PlanBudget& budget) {
-  Annealer::Task task = given;
-  task.schedule.first_k = knobd("K0", 30000);
-  task.schedule.last_k = knobd("K1", 70000);
+SearchResult search_in_stages(const Annealer::Task& task, const PlanOptions& options, PlanBudget& budget) {
   const HandModel& hand = *task.model.scene().hand;
-  const int squads = knob("SQUADS", 4);
-  const int stages = knob("STAGES", 4);
-  const auto tests = static_cast<std::size_t>(knob("TESTS", 2) * options.grasps);
-  const PreGraspList list(static_cast<std::size_t>(knob("LIST", 40)), distinctness_of(hand));
+  const int n_annealers = (options.chains + chains_of_annealer - 1) / chains_of_annealer;
   std::vector<Annealer> annealers;
-  for (int i = 0; i < squads; ++i) annealers.emplace_back(task, static_cast<std::uint64_t>(i), 16, list);
+  for (int i = 0; i < n_annealers; ++i)
+    annealers.emplace_back(task, static_cast<std::uint64_t>(i), chains_of_annealer,
+                           PreGraspList(list_size, distinctness_of(hand)));
+  const int n_chains = n_annealers * chains_of_annealer;
+  const int n_stages = stages_for(options, n_chains);
 
+  SearchResult result;
   Harvest harvest(task, options);
-  RandomStream random{task.seed, 1000000};
-  for (int stage = 0; (stage < stages || budget.repeats()) && !budget.ended(); ++stage) {
-    const std::int64_t states =
-        budget.repeats()
-            ? round_length
-            : part_of(options.iterations, static_cast<std::size_t>(stage), static_cast<std::size_t>(stages));
+  RandomStream random{task.seed, static_cast<std::uint64_t>(n_annealers)};
+  StopWatch watch;
+  for (int stage = 0; (budget.repeats() || stage < n_stages) && !budget.ended(); ++stage) {
+    if (stage > 0) begin_stage(annealers, harvest, hand, random);
+    const std::int64_t states = budget.repeats()
+                                    ? n_chains * steps_without_budget
+                                    : part_of(options.iterations, static_cast<std::size_t>(stage),
+                                              static_cast<std::size_t>(n_stages));
     parallel_for(annealers.size(), options.threads, [&](std::size_t i, int worker) {
       budget.anneal(annealers[i], part_of(states, i, annealers.size()), worker);
     });
-    harvest.gather(annealers, tests);
-    for (Annealer& a : annealers) {
-      a.forget();
-      a.restart();
-    }
-    // some chains begin at what closed
-    std::vector<const TestedPreGrasp*> seeds;
-    for (const auto& t : harvest.all())
-      if (t.result.grasp.form_closure) seeds.push_back(&t);
-    if (!seeds.empty())
-      for (Annealer& a : annealers)
-        for (int c = 0; c < knob("SEEDED", 8); ++c) {
-          const auto& s =
-              *seeds[static_cast<std::size_t>(random.uniform() * static_cast<double>(seeds.size()))];
-          HandState state;
-          state.q_OA = Eigen::Quaterniond(s.pregrasp.X_OH.linear());
-          state.p_OA = s.pregrasp.X_OH * hand.approach_point_H;
-          state.amplitudes = s.pregrasp.amplitudes;
-          a.restart(c, state);
-        }
+    result.anneal_seconds += watch.lap();
+    harvest.gather(annealers, tests_after_stage(harvest, options));
+    result.close_seconds += watch.lap();
   }
-  SearchResult result;
   summarise_annealers(annealers, result);
   result.kept = harvest.best();
-  count_outcomes(knob("COUNTALL", 0) ? harvest.all() : result.kept, result.candidates);
+  count_outcomes(harvest.all(), result.candidates);
   return result;
 }
 

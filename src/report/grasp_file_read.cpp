@@ -63,6 +63,7 @@ PlanOptions read_options(const JsonView& view) {
   options.chains = count_at(view, "chains");
   options.amplitudes = count_at(view, "amplitudes");
   options.energy = kEnergyNames.read(view.at("energy"));
+  if (view.has("search")) options.search = kSearchNames.read(view.at("search"));
   options.alpha = view.at("alpha").number();
   options.norm = kNormNames.read(view.at("norm"));
   options.cone = kConeNames.read(view.at("cone"));
@@ -145,7 +146,7 @@ void read_run(const JsonView& view, GraspFile& file) {
   const JsonView timings = view.at("timings");
   const auto seconds_at = [&](const char* key) { return timings.at(key).number_at_least(0.0); };
   file.result.timings = {seconds_at("prepare"), seconds_at("search"), seconds_at("close"),
-                         seconds_at("total")};
+                         seconds_at("total"), timings.has("volume") ? seconds_at("volume") : 0.0};
 }
 
 }  // namespace

@@ -57,6 +57,7 @@ OrderedJson options_json(const PlanOptions& options) {
       {"chains", options.chains},
       {"amplitudes", options.amplitudes},
       {"energy", kEnergyNames.name(options.energy)},
+      {"search", kSearchNames.name(options.search)},
       {"alpha", options.alpha},
       {"norm", kNormNames.name(options.norm)},
       {"cone", kConeNames.name(options.cone)},
@@ -142,9 +143,13 @@ OrderedJson milestones_json(const std::vector<SearchMilestone>& milestones) {
 
 OrderedJson run_json(const GraspFile& file) {
   const PlanTimings& t = file.result.timings;
-  return {
-      {"threads", file.options.threads},
-      {"timings", {{"prepare", t.prepare}, {"search", t.search}, {"close", t.close}, {"total", t.total}}}};
+  return {{"threads", file.options.threads},
+          {"timings",
+           {{"prepare", t.prepare},
+            {"search", t.search},
+            {"close", t.close},
+            {"volume", t.volume},
+            {"total", t.total}}}};
 }
 
 SourceFile source_file(const std::filesystem::path& path) {

@@ -55,6 +55,33 @@ TEST(SphereCover, SpheresAreInsideAndReachTheSurface) {
   }
 }
 
+// GraspIt!'s human hand is made of such links: neighbours reach into the open ends.
+TEST(SphereCover, SpheresDoNotBulgeOutOfHoles) {
+  const double radius = 0.01, height = 0.04, tolerance = 0.0007;
+  TriangleMesh tube = testing::cylinder_mesh(radius, height);
+  std::erase_if(tube.triangles, [&](const TriangleMesh::Triangle& t) {
+    const double z[] = {tube.vertices[static_cast<std::size_t>(t[0])].z(),
+                        tube.vertices[static_cast<std::size_t>(t[1])].z(),
+                        tube.vertices[static_cast<std::size_t>(t[2])].z()};
+    return z[0] == z[1] && z[1] == z[2];
+  });
+  const MeshBvh bvh(tube);
+  const auto spheres = cover_with_inner_spheres(tube, bvh, tolerance);
+  ASSERT_FALSE(spheres.empty());
+  for (const Sphere& s : spheres) {
+    EXPECT_GE(s.center.z() - s.radius, -1e-6);
+    EXPECT_LE(s.center.z() + s.radius, height + 1e-6);
+    EXPECT_LE(s.center.head<2>().norm() + s.radius, radius + 1e-6);
+  }
+  RandomStream random{3};
+  for (int k = 0; k < 2000; ++k) {
+    const Vec3 p = testing::any_surface_point(random, tube);
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Sphere& s : spheres) nearest = std::min(nearest, (s.center - p).norm() - s.radius);
+    EXPECT_LT(nearest, 1.27 * tolerance) << p.transpose();
+  }
+}
+
 // Every point of the surface, at 0.3 mm, against all spheres; edges, thin walls and both orientations of a
 // sheet inside the solid.
 TEST(SphereCover, LeavesNoGapVsBruteForce) {

@@ -46,7 +46,8 @@ struct ScenePerformance {
   std::string object;
   std::optional<PaperHand> paper_hand;  ///< where there are figures of GraspIt! to compare with
   int runs = 0;                         ///< of the planner, on one thread; as many seeds
-  double legal_share = 0.0;             ///< of the states of the search
+  double legal_share = 0.0;             ///< of the states of the search, all of them judged
+  double judged_per_second = 0.0;       ///< as states_per_second on one thread, with PlanOptions::judge_all
   int candidates = 0;                   ///< pre-grasps of the first run
   double contacts = 0.0;                ///< mean of a closed candidate
   CandidateSteps steps;

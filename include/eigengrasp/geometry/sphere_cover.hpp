@@ -24,6 +24,7 @@ SurfaceSamples sample_surface(const TriangleMesh& mesh, double spacing);
 /// Spheres inside a closed surface that together reach its points: medial balls (shrinking-ball construction,
 /// Ma et al. 2012) chosen greedily, the largest first. What meets a sphere is inside the solid; what intrudes
 /// deeper than the tolerance meets a sphere.
+/// Holes are closed by lids that no sphere crosses; the lids themselves need not be reached.
 /// Guarantee: cut the surface into pieces of at most 0.4 tolerances (a thousandth of the root of its area
 /// where that is more). Every piece that has the solid on one side is within `tolerance` [m] of a sphere as a
 /// whole, or at least its centre is; no point is therefore farther than 1.27 tolerances, and nearly none

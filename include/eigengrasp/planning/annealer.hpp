@@ -66,6 +66,7 @@ class Annealer {
     const StateEvaluator& evaluator;
     AnnealingSchedule schedule;
     std::uint64_t seed;
+    bool judge_all = false;  ///< see PlanOptions
   };
 
   /// @param number of the annealer: with the seed the key of its random streams
@@ -97,7 +98,7 @@ class Annealer {
 
   HandState random_state();
   void set_temperatures(double progress);
-  void judge_by_wrenches();
+  void judge_in_full();
   void count(StateEvaluator::Verdict verdict);
   void remember(int lane);
 

@@ -44,10 +44,13 @@ struct PlanOptions {
   int grasps = 20;          ///< pre-grasps that are kept, closed and rated
   std::uint64_t seed = 1;
   int threads = 0;     ///< 0: all. Does not change the result
-  int chains = 4;      ///< independent annealing chains that share the iterations; 1: the paper's search
+  int chains = 32;     ///< of the staged search, side by side; rounded up to whole sixteens
   int amplitudes = 2;  ///< eigengrasps that are searched; hand.n_dof(): all degrees of freedom
   EnergyKind energy = EnergyKind::contact;
   SearchKind search = SearchKind::staged;
+  /// Tells of every state whether it is legal, also of those whose energy is too high to be taken anyway.
+  /// Changes nothing but StateCounts, and costs time.
+  bool judge_all = false;
   double alpha =
       0.050;  ///< length [m] that weighs as much as a contact normal that is 90 degrees off, eq. (6)
   WrenchNorm norm = WrenchNorm::l1;
@@ -64,7 +67,8 @@ struct PlanOptions {
   std::vector<std::string> validate(const HandModel& hand) const;
 };
 
-/// What became of the states that the search drew.
+/// What became of the states that the search drew. Without PlanOptions::judge_all, states whose energy is too
+/// high to be taken are only looked at roughly, and count as legal where that shows no collision.
 struct StateCounts {
   std::int64_t evaluated = 0;
   std::int64_t legal = 0;
@@ -73,7 +77,7 @@ struct StateCounts {
   std::int64_t hit_obstacle = 0;
 };
 
-/// What became of the pre-grasps that were closed.
+/// What became of the pre-grasps that were closed; the staged search closes more than it keeps.
 struct CandidateCounts {
   int tested = 0;
   int form_closed = 0;
@@ -85,8 +89,9 @@ struct CandidateCounts {
 struct PlanTimings {
   double prepare = 0.0;  ///< [s] distance field, hand proxies
   double search = 0.0;
-  double close = 0.0;  ///< closing, contacts, quality and exact check
+  double close = 0.0;  ///< exact legality, closing, contacts, epsilon and exact check
   double total = 0.0;
+  double volume = 0.0;  ///< of the wrench spaces of the grasps that are kept
 };
 
 enum class PlanStatus {

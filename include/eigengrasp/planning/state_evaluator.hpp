@@ -57,7 +57,9 @@ class StateEvaluator {
     /// the collision that was seen before. Infinity at first: every state is judged.
     void set_threshold(int lane, double energy);
     Verdict verdict(int lane) const;
-    /// In the unit of GraspEnergy::contact_energy. @pre verdict is legal or energy_too_high
+    /// In the unit of GraspEnergy::contact_energy; for energy_too_high a lower bound, at or above the
+    /// threshold.
+    /// @pre verdict is legal or energy_too_high
     double energy(int lane) const;
 
    private:

@@ -127,38 +127,49 @@ class Evaluation {
       if (w_.unsure[i] == 0) continue;
       const Motion<B> X = load_motion<B>(pose(part.body));
       std::uint32_t hit = 0;
+      std::uint32_t near = 0;
       for (int k = part.first_core; k < part.first_core + part.n_cores; ++k) {
         const CoreBall& ball = p_.cores[k];
-        hit |=
-            bits(bound_distance<B>(p_.object.field, moved(X, splat<B>(ball.center))).upper < F(ball.radius));
+        const DistanceBounds<B> at_core = bound_distance<B>(p_.object.field, moved(X, splat<B>(ball.center)));
+        hit |= bits(at_core.upper < F(ball.radius));
+        near |= bits(at_core.lower < F(ball.reach));
       }
+      w_.unsure[i] &= near;
       end(hit & alive_, hits_object);
       if (alive_ == 0) return;
     }
   }
 
-  /// Mean over the virtual contacts of distance in millimetres + 1000 alpha (1 - n . o / |o|).
+  /// Mean over the virtual contacts of distance in millimetres + 1000 alpha (1 - n . o / |o|). No contact
+  /// lowers the sum: it ends where all states that are left are above their thresholds.
   void add_up_energy() {
+    constexpr int contacts_between_looks = 6;
+    const F threshold = load<B>(w_.threshold);
+    const F each(p_.n_contacts > 0 ? 1000.0f / static_cast<float>(p_.n_contacts) : 0.0f);
+    F energy(0.0f);
     F distances(0.0f);
     F misfits(0.0f);
     for (int i = 0; i < p_.n_contacts; ++i) {
-      const Contact& contact = p_.contacts[i];
-      const Motion<B> X = load_motion<B>(pose(contact.body));
-      const Cell<B> cell = look_up<B>(p_.object.field, moved(X, splat<B>(contact.p)));
-      const V g = gradient(cell);
-      const F slope = sqrt(max(dot(g, g), F(1e-12f)));
-      // -o: from the nearest point of the surface to the contact, for one beyond the grid by way of its
-      // border.
-      const V away = cell.beyond + (distance(cell) / slope) * g;
-      const F length = sqrt(dot(away, away));
-      const F minus_cosine = dot(turned(X, splat<B>(contact.n)), away) / max(length, F(1e-9f));
-      distances = distances + length;
-      misfits = misfits + (F(1.0f) + minus_cosine);
+      add_contact(p_.contacts[i], distances, misfits);
+      if ((i + 1) % contacts_between_looks != 0 && i + 1 < p_.n_contacts) continue;
+      energy = each * (distances + F(p_.alpha) * misfits);
+      if ((bits(energy < threshold) & alive_) == 0) break;
     }
-    const F each(p_.n_contacts > 0 ? 1000.0f / static_cast<float>(p_.n_contacts) : 0.0f);
-    const F energy = each * (distances + F(p_.alpha) * misfits);
     store<B>(w_.energy, energy);
-    end(bits(load<B>(w_.threshold) <= energy) & alive_, energy_too_high);
+    end(bits(threshold <= energy) & alive_, energy_too_high);
+  }
+
+  EIGENGRASP_LANES_INLINE void add_contact(const Contact& contact, F& distances, F& misfits) const {
+    const Motion<B> X = load_motion<B>(pose(contact.body));
+    const Cell<B> cell = look_up<B>(p_.object.field, moved(X, splat<B>(contact.p)));
+    const V g = gradient(cell);
+    const F slope = sqrt(max(dot(g, g), F(1e-12f)));
+    // -o: from the nearest point of the surface to the contact, for one beyond the grid by way of its border.
+    const V away = cell.beyond + (distance(cell) / slope) * g;
+    const F length = sqrt(dot(away, away));
+    const F minus_cosine = dot(turned(X, splat<B>(contact.n)), away) / max(length, F(1e-9f));
+    distances = distances + length;
+    misfits = misfits + (F(1.0f) + minus_cosine);
   }
 
   Transform pose_of_lane(int body, int lane) const {

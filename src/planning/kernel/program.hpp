@@ -139,7 +139,7 @@ struct Workspace {
   float* quaternion;      ///< (4 x 16) w, x, y, z of the hand base, unit length
   float* amplitudes;      ///< (n_amplitudes x 16)
   float* threshold;       ///< (16) states of a higher energy need not be told legal or not
-  float* energy;          ///< (16) out; means something for verdicts legal and energy_too_high
+  float* energy;          ///< (16) out; for verdict legal; a lower bound for energy_too_high
   std::int32_t* verdict;  ///< (16) out
   float* dofs;            ///< (n_dofs x 16) scratch
   float* poses;           ///< (n_bodies x 12 x 16) scratch
