@@ -221,6 +221,8 @@ class FreeTimeSearch {
   /// Whether what is in two boxes may come within the margin before the best time, as their axes and the
   /// field tell; sets the pair's gap.
   bool matters(NodePair& pair, const detail::TurnedBox& box_a, const detail::TurnedBox& box_b) {
+    if (field_ && clearances_[static_cast<std::size_t>(pair.b)].known && field_keeps_away(pair.b, box_b))
+      return false;
     const auto outlook =
         boxes_.look(box_a, box_b, static_cast<float>(best_.time), static_cast<float>(1.000001 * reserve()));
     pair.gap = outlook.gap;
@@ -298,36 +300,6 @@ FreeTime compute_free_time(const MeshBvh& a, const MeshBvh& b, const Pose& X_AB,
                            double touching) {
   if (a.empty() || b.empty()) return {horizon, std::numeric_limits<double>::infinity()};
   return FreeTimeSearch(a, b, X_AB, motion, margin, horizon, field).run(hint, touching);
-}
-
-double compute_rough_free_time(const DistanceField& field, const MeshBvh& b, const Pose& X_AB,
-                               const SurfaceMotion& motion, double margin, double horizon) {
-  if (b.empty()) return horizon;
-  constexpr double small = 0.002;  // [m] smaller parts tell hardly more, beside the error of the field
-  const detail::PosedBoxes posed(b, b, X_AB);
-  const PointSpeeds speeds(motion.of_b, X_AB * b.box().center());
-  double best = horizon;
-  int stack[128];
-  int top = 0;
-  stack[top++] = 0;
-  while (top > 0) {
-    const int node = stack[--top];
-    const detail::TurnedBox box = posed.box(node);
-    const Vec3 center(box.center[0], box.center[1], box.center[2]);
-    const double radius = radius_of(box);
-    const double time = time_to_close(certain_distance(field, center) - radius - margin,
-                                      speeds.within(center, radius), motion.acceleration);
-    if (time >= best) continue;
-    const MeshBvh::Node& n = b.nodes()[static_cast<std::size_t>(node)];
-    if (n.count > 0 || radius < small) {
-      best = time;
-      if (best == 0.0) break;
-    } else {
-      stack[top++] = n.left;
-      stack[top++] = n.left + 1;
-    }
-  }
-  return best;
 }
 
 }  // namespace eigengrasp

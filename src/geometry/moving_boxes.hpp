@@ -26,12 +26,6 @@ inline Float4 components(const TurnedBox& box, Float4 v) {
   return spread<0>(v) * box.rows[0] + spread<1>(v) * box.rows[1] + spread<2>(v) * box.rows[2];
 }
 
-inline Float4 cross(Float4 a, Float4 b) {
-  const Float4 c =
-      a * __builtin_shufflevector(b, b, 1, 2, 0, 3) - __builtin_shufflevector(a, a, 1, 2, 0, 3) * b;
-  return __builtin_shufflevector(c, c, 1, 2, 0, 3);
-}
-
 /// Not less than the root of 1 - c^2, for cosines c: tangents of the root.
 inline Float4 sine_bound(Float4 c) {
   const Float4 square = larger(1.000001f - c * c, Float4{});
@@ -42,10 +36,10 @@ inline Float4 sine_bound(Float4 c) {
 /// by more than its rounding.
 class MovingBoxes {
  public:
-  explicit MovingBoxes(const SurfaceMotion& motion) : n_of_a_(motion.of_a.size()) {
-    joints_.reserve(motion.of_a.size() + motion.of_b.size());
-    for (const Screw& s : motion.of_a) joints_.emplace_back(s);
-    for (const Screw& s : motion.of_b) joints_.emplace_back(s);
+  explicit MovingBoxes(const SurfaceMotion& motion) {
+    add_packs(motion.of_a);
+    n_of_a_ = packs_.size();
+    add_packs(motion.of_b);
   }
 
   /// Gap of two boxes and how they stand to a motion of `time` in which they may come nearer by `reserve`
@@ -55,49 +49,112 @@ class MovingBoxes {
     bool apart;
   };
   Outlook look(const TurnedBox& a, const TurnedBox& b, float time, float reserve) const {
-    const Float4 d = b.center - a.center;
-    const Float4 along_a = components(a, d);
-    const Float4 along_b = components(b, d);
-    const Float4 gap_a = magnitude(along_a) - a.half - extent_along(a, b);
-    const Float4 gap_b = magnitude(along_b) - b.half - extent_along(b, a);
-    const float gap = largest(larger(gap_a, gap_b));
+    const Gaps gaps(a, b);
+    const float gap = gaps.largest();
     if (gap <= reserve) return {gap, false};
-    Float4 rate_a{};
-    Float4 rate_b{};
-    const Float4 towards_a = along_a > 0.0f ? Float4{} - 1.0f : Float4{} + 1.0f;
-    const Float4 towards_b = along_b > 0.0f ? Float4{} - 1.0f : Float4{} + 1.0f;
-    for (std::size_t k = 0; k < joints_.size(); ++k) {
-      const bool of_a = k < n_of_a_;
-      const Joint& joint = joints_[k];
-      const Float4 v = joint.linear + cross(joint.angular, of_a ? a.center : b.center);
-      const Float4 velocity = of_a ? -v : v;
-      const float turn = joint.spin * radius_of(of_a ? a : b);
-      rate_a += larger(towards_a * components(a, velocity) + turn * sine_bound(components(a, joint.axis)),
-                       Float4{});
-      rate_b += larger(towards_b * components(b, velocity) + turn * sine_bound(components(b, joint.axis)),
-                       Float4{});
-    }
-    const float motion = 1.00001f * time;
-    return {gap, largest(larger(gap_a - motion * rate_a, gap_b - motion * rate_b)) > reserve};
+    const float slow = 1.00001f * time;
+    Axis axes[6];
+    const int n = closing_axes(a, b, gaps, reserve, axes);
+    for (int i = 0; i < n; ++i)
+      if (axes[i].gap - slow * axes[i].rate() > reserve) return {gap, true};
+    return {gap, false};
+  }
+
+  /// Time [s] for which some axis shows two boxes to stay farther apart than the margin.
+  double time_apart(const TurnedBox& a, const TurnedBox& b, double margin, double acceleration) const {
+    Axis axes[6];
+    const int n = closing_axes(a, b, Gaps(a, b), static_cast<float>(margin), axes);
+    double time = 0.0;
+    for (int i = 0; i < n; ++i)
+      time = std::max(time, time_to_close(axes[i].gap - margin, 1.00001 * axes[i].rate(), acceleration));
+    return time;
   }
 
  private:
-  struct Joint {
-    explicit Joint(const Screw& s)
-        : angular(to_floats(s.angular)),
-          linear(to_floats(s.linear)),
-          spin(static_cast<float>(s.angular.norm())),
-          axis(spin > 0.0f ? to_floats(s.angular / s.angular.norm()) : Float4{}) {}
-    static Float4 to_floats(const Vec3& v) {
-      return Float4{static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()), 0.0f};
-    }
-    Float4 angular;
-    Float4 linear;
-    float spin;
-    Float4 axis;
+  /// Vectors between the boxes and their gaps along the axes of both.
+  struct Gaps {
+    Gaps(const TurnedBox& a, const TurnedBox& b)
+        : along_a(components(a, b.center - a.center)),
+          along_b(components(b, b.center - a.center)),
+          of_a(magnitude(along_a) - a.half - extent_along(a, b)),
+          of_b(magnitude(along_b) - b.half - extent_along(b, a)) {}
+    float largest() const { return detail::largest(larger(of_a, of_b)); }
+    Float4 along_a;
+    Float4 along_b;
+    Float4 of_a;
+    Float4 of_b;
   };
-  std::vector<Joint> joints_;  ///< those of a first
-  std::size_t n_of_a_;
+
+  /// Four joints of one surface.
+  struct Pack {
+    Float4 angular[3]{};
+    Float4 linear[3]{};
+    Float4 axis[3]{};
+    Float4 spin{};
+  };
+
+  /// Direction from b to a, the gap along it, and how fast it can close at first, by joints.
+  struct Axis {
+    Float4 n[3];
+    float gap;
+    Float4 rates{};
+    float rate() const { return rates[0] + rates[1] + rates[2] + rates[3]; }
+  };
+
+  void add_packs(std::span<const Screw> joints) {
+    for (std::size_t j = 0; j < joints.size(); ++j) {
+      if (j % 4 == 0) packs_.emplace_back();
+      Pack& pack = packs_.back();
+      const Screw& s = joints[j];
+      const double spin = s.angular.norm();
+      for (int k = 0; k < 3; ++k) {
+        pack.angular[k][j % 4] = static_cast<float>(s.angular[k]);
+        pack.linear[k][j % 4] = static_cast<float>(s.linear[k]);
+        pack.axis[k][j % 4] = spin > 0.0 ? static_cast<float>(s.angular[k] / spin) : 0.0f;
+      }
+      pack.spin[j % 4] = static_cast<float>(spin);
+    }
+  }
+
+  /// The axes along which the gap is larger than the reserve.
+  int closing_axes(const TurnedBox& a, const TurnedBox& b, const Gaps& gaps, float reserve,
+                   Axis* axes) const {
+    int n = 0;
+    const auto add = [&](const TurnedBox& box, int k, float gap, float along) {
+      if (gap <= reserve) return;
+      const float side = along > 0.0f ? -1.0f : 1.0f;
+      for (int r = 0; r < 3; ++r) axes[n].n[r] = Float4{} + side * box.rows[r][k];
+      axes[n++].gap = gap;
+    };
+    for (int k = 0; k < 3; ++k) {
+      add(a, k, gaps.of_a[k], gaps.along_a[k]);
+      add(b, k, gaps.of_b[k], gaps.along_b[k]);
+    }
+    if (n > 0) {
+      for (std::size_t p = 0; p < n_of_a_; ++p) add_rates(packs_[p], a, -1.0f, axes, n);
+      for (std::size_t p = n_of_a_; p < packs_.size(); ++p) add_rates(packs_[p], b, 1.0f, axes, n);
+    }
+    return n;
+  }
+
+  static void add_rates(const Pack& pack, const TurnedBox& box, float side, Axis* axes, int n) {
+    const Float4 x = spread<0>(box.center);
+    const Float4 y = spread<1>(box.center);
+    const Float4 z = spread<2>(box.center);
+    const Float4* w = pack.angular;
+    const Float4 vx = side * (pack.linear[0] + w[1] * z - w[2] * y);
+    const Float4 vy = side * (pack.linear[1] + w[2] * x - w[0] * z);
+    const Float4 vz = side * (pack.linear[2] + w[0] * y - w[1] * x);
+    const Float4 turn = pack.spin * radius_of(box);
+    for (int i = 0; i < n; ++i) {
+      const Float4* d = axes[i].n;
+      const Float4 cosine = d[0] * pack.axis[0] + d[1] * pack.axis[1] + d[2] * pack.axis[2];
+      axes[i].rates += larger(d[0] * vx + d[1] * vy + d[2] * vz + turn * sine_bound(cosine), Float4{});
+    }
+  }
+
+  std::vector<Pack> packs_;  ///< those of a first
+  std::size_t n_of_a_ = 0;
 };
 
 }  // namespace eigengrasp::detail

@@ -97,6 +97,20 @@ class PosedBoxes {
     return box;
   }
 
+  /// A ball about the box.
+  struct Ball {
+    Float4 center;
+    float radius;
+  };
+  Ball ball(int node) const {
+    const MeshBvh::OrientedBox& local = b_.oriented_box(node);
+    const Float4 half = load(local.half) + rounding_;
+    const Float4 squares = half * half;
+    return {origin_ + local.center[0] * columns_[0] + local.center[1] * columns_[1] +
+                local.center[2] * columns_[2],
+            1.000001f * std::sqrt(squares[0] + squares[1] + squares[2])};
+  }
+
  private:
   const MeshBvh& b_;
   Float4 columns_[3];      ///< of the rotation

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "eigengrasp/core/parallel.hpp"
+#include "eigengrasp/geometry/mesh_motion.hpp"
 
 namespace eigengrasp {
 
@@ -92,15 +93,26 @@ Sphere moved(const Sphere& s, const Pose& X) {
   return {X * s.center, s.radius};
 }
 
-/// A surface that crosses no other is inside it where any of its points is.
-CollisionModel::ObjectOverlap overlap(const MeshBvh& solid, const HandSurfaces::LinkSurface& link,
-                                      const Pose& X_SL) {
+/// Whether a point is inside a solid. Where no surface is within the diagonal of a cell of the field, the
+/// field has the same sign.
+bool inside(const MeshBvh& solid, const DistanceField& field, const Vec3& p) {
+  if (!solid.box().contains(p)) return false;
+  const bool certain =
+      !field.empty() && certain_distance(field, p) > 1.75 * field.scale() * field.fine().cell;
+  return certain ? field.distance(p) < 0.0 : solid.contains(p);
+}
+
+/// A surface that crosses no other is inside it where any of its points is. @param field of the solid, or
+/// empty
+CollisionModel::ObjectOverlap overlap(const MeshBvh& solid, const DistanceField& field,
+                                      const HandSurfaces::LinkSurface& link, const Pose& X_SL) {
   CollisionModel::ObjectOverlap result;
   if (link.empty() || box_apart(solid.box(), moved(link.bound, X_SL))) return result;
-  result.crosses = intersects(solid, link.bvh, X_SL);
+  const bool apart = !field.empty() && certain_distance(field, X_SL * link.bound.center) > link.bound.radius;
+  result.crosses = !apart && intersects(solid, link.bvh, X_SL);
   if (!result.crosses)
-    result.contained = solid.contains(X_SL * link.bvh.corners(0).a) ||
-                       link.bvh.contains(X_SL.inverse() * solid.corners(0).a);
+    result.contained = inside(solid, field, X_SL * link.bvh.corners(0).a) ||
+                       inside(link.bvh, link.field, X_SL.inverse() * solid.corners(0).a);
   return result;
 }
 
@@ -128,7 +140,7 @@ bool CollisionModel::link_hits_obstacle(std::size_t obstacle, int link, const Po
   const auto& surface = surfaces_.links[static_cast<std::size_t>(link)];
   const DistanceField& field = obstacle_fields_[obstacle];
   if (surface.empty() || field.covers(X_BL * surface.bound.center)) return link_hits_field(link, X_BL, field);
-  const ObjectOverlap o = overlap(scene_.obstacles[obstacle].model->bvh, surface, X_BL);
+  const ObjectOverlap o = overlap(scene_.obstacles[obstacle].model->bvh, field, surface, X_BL);
   return o.crosses || o.contained;
 }
 
@@ -182,18 +194,18 @@ Legality CollisionModel::check_fast(const std::vector<Pose>& X_OL) const {
 }
 
 CollisionModel::ObjectOverlap CollisionModel::overlap_with_object(int link, const Pose& X_OL) const {
-  return overlap(scene_.object->bvh, surfaces_.links[static_cast<std::size_t>(link)], X_OL);
+  return overlap(scene_.object->bvh, object_field_, surfaces_.links[static_cast<std::size_t>(link)], X_OL);
 }
 
 Legality CollisionModel::check_exact(const std::vector<Pose>& X_OL) const {
   for (std::size_t i = 0; i < X_OL.size(); ++i) {
-    const ObjectOverlap o = overlap(scene_.object->bvh, surfaces_.links[i], X_OL[i]);
+    const ObjectOverlap o = overlap(scene_.object->bvh, object_field_, surfaces_.links[i], X_OL[i]);
     if (o.crosses || o.contained) return Legality::hits_object;
   }
   for (const Obstacle& obstacle : scene_.obstacles) {
     const Pose X_BO = obstacle.X_OB.inverse();
     for (std::size_t i = 0; i < X_OL.size(); ++i) {
-      const ObjectOverlap o = overlap(obstacle.model->bvh, surfaces_.links[i], X_BO * X_OL[i]);
+      const ObjectOverlap o = overlap(obstacle.model->bvh, {}, surfaces_.links[i], X_BO * X_OL[i]);
       if (o.crosses || o.contained) return Legality::hits_obstacle;
     }
   }
@@ -239,15 +251,16 @@ double penetration(const MeshBvh& a, const TriangleMesh& mesh_a, const MeshBvh& 
 double CollisionModel::deepest_penetration(const std::vector<Pose>& X_OL) const {
   const HandModel& hand = *scene_.hand;
   double deepest = 0.0;
-  const auto add = [&](const ObjectModel& solid, std::size_t link, const Pose& X_SL) {
-    const ObjectOverlap o = overlap(solid.bvh, surfaces_.links[link], X_SL);
+  const auto add = [&](const ObjectModel& solid, const DistanceField& field, std::size_t link,
+                       const Pose& X_SL) {
+    const ObjectOverlap o = overlap(solid.bvh, field, surfaces_.links[link], X_SL);
     if (o.crosses || o.contained)
       deepest = std::max(deepest, penetration(solid.bvh, solid.mesh, surfaces_.links[link].bvh,
                                               hand.links[link].mesh, X_SL));
   };
   for (std::size_t i = 0; i < X_OL.size(); ++i) {
-    add(*scene_.object, i, X_OL[i]);
-    for (const Obstacle& o : scene_.obstacles) add(*o.model, i, o.X_OB.inverse() * X_OL[i]);
+    add(*scene_.object, object_field_, i, X_OL[i]);
+    for (const Obstacle& o : scene_.obstacles) add(*o.model, {}, i, o.X_OB.inverse() * X_OL[i]);
   }
   for (const auto& pair : hand.collision_pairs) {
     const auto a = static_cast<std::size_t>(pair[0]);

@@ -203,9 +203,15 @@ class FingerCloser {
 
   double margin() const { return 0.5 * options_.contact_gap; }
 
-  /// Free time of the object's field and parts of the link, or of two links' bounding spheres.
+  /// Free time of the object's field and parts of the link, or of balls and boxes about two links.
   double rough_time(const Pair& p, const SurfaceMotion& motion, double t) {
-    if (p.kind == Pair::Kind::links) return time_of_bounds(p, motion, t);
+    if (p.kind == Pair::Kind::links) {
+      const double time = time_of_bounds(p, motion, t);
+      return time >= tick_ ? time
+                           : compute_rough_free_time(surface(p.other).bvh, motion_.pose(p.other, t),
+                                                     surface(p.link).bvh, motion_.pose(p.link, t), motion,
+                                                     margin(), horizon_ticks * tick_);
+    }
     if (p.kind == Pair::Kind::obstacle || model_.object_field().empty()) return 0.0;
     return compute_rough_free_time(model_.object_field(), surface(p.link).bvh, motion_.pose(p.link, t),
                                    motion, margin(), infinity);

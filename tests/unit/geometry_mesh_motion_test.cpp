@@ -118,6 +118,31 @@ TEST(FreeTime, RoughTimesAreFreeToo) {
   EXPECT_GT(positive, 50);
 }
 
+TEST(FreeTime, RoughTimesOfTwoMovingSurfacesAreFreeToo) {
+  RandomStream random{8};
+  const MeshBvh a(torus_mesh(0.03, 0.01, 24));
+  const MeshBvh b(box_mesh({0.02, 0.03, 0.01}));
+  int positive = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Pose X_AB = any_pose(random, 0.12);
+    const Chain of_a = any_chain(random, a.box());
+    const Chain of_b = any_chain(random, a.box());
+    const auto screws_a = of_a.screws();
+    const auto screws_b = of_b.screws();
+    const SurfaceMotion motion{screws_a, screws_b, of_a.acceleration(0.5) + of_b.acceleration(0.5)};
+    const double time =
+        std::min(1.0, compute_rough_free_time(a, Pose::Identity(), b, X_AB, motion, margin, 0.3));
+    positive += time > 0.0;
+    if (time == 0.0) continue;
+    for (const double t : {0.5 * time, time})
+      for (const double outer : {0.0, 1.0}) {
+        const Pose X = of_a.at(t, outer * t).inverse() * of_b.at(t, outer * t) * X_AB;
+        EXPECT_GE(closest_pair(a, b, X).distance, margin - 1e-7) << i;
+      }
+  }
+  EXPECT_GT(positive, 50);
+}
+
 TEST(FreeTime, CertainDistancesAreLowerBounds) {
   RandomStream random{7};
   const MeshBvh bvh(torus_mesh(0.03, 0.01, 24));
