@@ -159,7 +159,7 @@ void run_evaluate(const EvaluateChoice& choice) {
   std::vector<GivenState> states;  // all of them before the first is rated: bad input prints nothing
   for (const JsonLine& line : lines_of(choice.states)) states.push_back(parse_state(*scene.hand, line));
   CollisionModel::Options options;
-  options.fast = !choice.exact;
+  options.fast = !choice.exact || choice.close;  // fingers close as they do in plan, with the fields
   options.threads = choice.planner.options.threads;
   options.cache = plan.cache;
   const CollisionModel model(scene, options);

@@ -64,7 +64,7 @@ void print_summary(const Scene& scene, const PlanResult& result, const PlanChoic
   fmt::print(
       "{} states in {:.3f} s, {} pre-grasps closed and rated in {:.3f} s, volumes of the kept ones {:.2f} s, "
       "preparation {:.2f} s\n",
-      result.states.evaluated, t.search, result.candidates.tested, t.close, t.volume, t.prepare);
+      result.states.evaluated, t.anneal, result.closed_on_the_way, t.close, t.volume, t.prepare);
   fmt::print("written to {}\n", choice.out.string());
 }
 

@@ -88,8 +88,8 @@ class RunBench {
     plan.cache = std::move(cache);
     plan.judge_all = judge_all_;
     PlanResult result = plan_grasps(scene_, plan);
-    run_.push_back(result.timings.search + result.timings.close);
-    rate_.push_back(static_cast<double>(result.states.evaluated) / result.timings.search);
+    run_.push_back(result.timings.total - result.timings.prepare - result.timings.volume);
+    rate_.push_back(static_cast<double>(result.states.evaluated) / result.timings.anneal);
     evaluated_ += result.states.evaluated;
     legal_ += result.states.legal;
     return result;

@@ -57,9 +57,6 @@ class Table2Runner {
             fmt::format("{}: {} on {}, seed {}", title_of(part), title_of(hand), name_of(object), seed));
       PlanResult result = plan_grasps(scene, plan_options(options_, part.search, seed));
       Table2Run run{static_cast<std::uint64_t>(seed), result.candidates, result.timings, {}, {}};
-      run.candidates.form_closed = static_cast<int>(  // of the kept ones: the staged search closes more
-          std::count_if(result.grasps.begin(), result.grasps.end(),
-                        [](const Grasp& g) { return g.form_closure; }));
       if (!result.grasps.empty()) run.best = std::move(result.grasps.front());
       run.milestones = std::move(result.milestones);
       cell.runs.push_back(std::move(run));

@@ -20,7 +20,7 @@ OrderedJson run_json(const Table2Run& run) {
       {"no_contact", c.no_contact},
       {"penetrating", c.penetrating},
       {"best_epsilon", run.best && run.best->form_closure ? run.best->epsilon : 0.0},
-      {"seconds", {{"prepare", t.prepare}, {"search", t.search}, {"close", t.close}, {"total", t.total}}}};
+      {"seconds", {{"prepare", t.prepare}, {"search", t.anneal}, {"close", t.close}, {"total", t.total}}}};
 }
 
 OrderedJson cell_json(const Table2Cell& cell) {

@@ -68,6 +68,21 @@ void add_volume(const GraspEnergy& energy, Grasp& grasp) {
   grasp.volume = grasp.form_closure ? compute_volume(points_of(grasp.contacts), energy.wrench_space()) : 0.0;
 }
 
+namespace {
+
+/// The pose as a file brings it back, which keeps a quaternion: closing ends at the same place to the last
+/// bit only from the same bits. A few rounds end where neither changes any more.
+Pose as_written(Pose X) {
+  for (int i = 0; i < 8; ++i) {
+    const Pose again = make_pose(orientation(X), X.translation());
+    if (again.matrix() == X.matrix()) break;
+    X = again;
+  }
+  return X;
+}
+
+}  // namespace
+
 bool make_exactly_legal(const CollisionModel& model, const GraspEnergy& energy, PreGrasp& pregrasp) {
   constexpr double step = 0.00025;  // [m]
   constexpr int most_steps = 8;
@@ -75,7 +90,7 @@ bool make_exactly_legal(const CollisionModel& model, const GraspEnergy& energy, 
   const VecX joints = joint_values(hand, pregrasp.dofs);
   std::vector<Pose> X_OL;
   for (int i = 0; i <= most_steps; ++i) {
-    const Pose X_OH = pregrasp.X_OH * Eigen::Translation3d(-i * step * hand.approach_direction_H);
+    const Pose X_OH = as_written(pregrasp.X_OH * Eigen::Translation3d(-i * step * hand.approach_direction_H));
     compute_link_poses(hand, joints, X_OH, X_OL);
     if (model.check_exact(X_OL) != Legality::legal) continue;
     std::vector<ContactApproach> approaches;

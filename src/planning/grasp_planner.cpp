@@ -29,6 +29,7 @@ void take_over(SearchResult& found, const GraspEnergy& energy, const PlanOptions
                [&](std::size_t i, int) { add_volume(energy, found.kept[i].result.grasp); });
   result.states = found.states;
   result.candidates = found.candidates;
+  result.closed_on_the_way = found.closed_on_the_way;
   result.milestones = std::move(found.milestones);
   for (TestedPreGrasp& t : found.kept) {
     if (t.result.outcome == CandidateOutcome::penetrating) continue;  // not a grasp
@@ -66,7 +67,8 @@ PlanResult plan_grasps(const Scene& scene, const PlanOptions& options) {
   SearchResult found = options.search == SearchKind::paper ? search_as_the_paper(task, options, budget)
                                                            : search_in_stages(task, options, budget);
   result.stopped_early = budget.ended_early();
-  result.timings.search = found.anneal_seconds;
+  result.timings.search = found.search_seconds;
+  result.timings.anneal = found.anneal_seconds;
   result.timings.close = found.close_seconds;
   watch.lap();
   take_over(found, energy, options, result);

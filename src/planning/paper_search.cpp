@@ -23,7 +23,7 @@ SearchResult search_as_the_paper(const Annealer::Task& task, const PlanOptions& 
     annealers[0].restart();
 
   SearchResult result;
-  result.anneal_seconds = watch.lap();
+  result.search_seconds = result.anneal_seconds = watch.lap();
   summarise_annealers(annealers, result);
   // Legal by exact meshes first, then the best that are still distinct, then close those.
   std::vector<PreGrasp> pool = annealers[0].best().items();
@@ -36,6 +36,7 @@ SearchResult search_as_the_paper(const Annealer::Task& task, const PlanOptions& 
   result.kept = test_all(task, best.items(), options, 0.0);
   result.close_seconds = watch.lap();
   count_outcomes(result.kept, result.candidates);
+  result.closed_on_the_way = result.candidates.tested;
   return result;
 }
 

@@ -53,10 +53,12 @@ std::string advice(const Scene& scene, const PlanResult& result) {
 
 void explain(const Scene& scene, const PlanOptions&, PlanResult& result) {
   const CandidateCounts& c = result.candidates;
-  const std::string tests = fmt::format(
+  std::string tests = fmt::format(
       "{} pre-grasps closed: {} form-closed, {} touched without form closure, {} without contact, {} "
       "penetrating",
       c.tested, c.form_closed, c.not_closed, c.no_contact, c.penetrating);
+  if (result.closed_on_the_way > c.tested)
+    tests += fmt::format(", chosen from {} that the search closed", result.closed_on_the_way);
   if (c.form_closed > 0) {
     result.status = PlanStatus::found;
     result.explanation = tests;

@@ -18,10 +18,12 @@ struct TestedPreGrasp {
 /// What a search found.
 struct SearchResult {
   std::vector<TestedPreGrasp> kept;  ///< distinct, at most options.grasps
-  CandidateCounts candidates;        ///< of all that were closed
+  CandidateCounts candidates;        ///< of those
+  int closed_on_the_way = 0;         ///< pre-grasps in all
   StateCounts states;
   std::vector<SearchMilestone> milestones;  ///< of the annealer that found the best state
-  double anneal_seconds = 0.0;              ///< wall time of drawing and evaluating states
+  double search_seconds = 0.0;              ///< wall time, see PlanTimings
+  double anneal_seconds = 0.0;              ///< of drawing and evaluating states
   double close_seconds = 0.0;               ///< of exact legality, closing, contacts, epsilon, exact check
 };
 

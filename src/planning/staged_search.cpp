@@ -76,7 +76,9 @@ SearchResult search_in_stages(const Annealer::Task& task, const PlanOptions& opt
   }
   summarise_annealers(annealers, result);
   result.kept = harvest.best();
-  count_outcomes(harvest.all(), result.candidates);
+  count_outcomes(result.kept, result.candidates);
+  result.closed_on_the_way = static_cast<int>(harvest.all().size());
+  result.search_seconds = result.anneal_seconds + result.close_seconds;
   return result;
 }
 

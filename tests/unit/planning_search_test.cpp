@@ -173,7 +173,9 @@ TEST(PlanGrasps, ThePapersSearchClosesWhatItKeepsAndTheStagedOneMore) {
   EXPECT_EQ(paper.candidates.tested, static_cast<int>(paper.grasps.size()) + paper.candidates.penetrating);
   const PlanResult staged = plan_grasps(block_scene(), quick);
   EXPECT_EQ(staged.grasps[0].provenance.planner, "staged/contact");
-  EXPECT_GT(staged.candidates.tested, static_cast<int>(staged.grasps.size()));
+  EXPECT_EQ(staged.candidates.tested, static_cast<int>(staged.grasps.size()) + staged.candidates.penetrating);
+  EXPECT_GT(staged.closed_on_the_way, staged.candidates.tested);
+  EXPECT_EQ(paper.closed_on_the_way, paper.candidates.tested);
   const auto closed = [](const PlanResult& r) {
     return std::count_if(r.grasps.begin(), r.grasps.end(), [](const Grasp& g) { return g.form_closure; });
   };

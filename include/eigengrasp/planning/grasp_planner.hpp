@@ -77,7 +77,7 @@ struct StateCounts {
   std::int64_t hit_obstacle = 0;
 };
 
-/// What became of the pre-grasps that were closed; the staged search closes more than it keeps.
+/// What became of the pre-grasps that were closed and kept.
 struct CandidateCounts {
   int tested = 0;
   int form_closed = 0;
@@ -88,9 +88,11 @@ struct CandidateCounts {
 
 struct PlanTimings {
   double prepare = 0.0;  ///< [s] distance field, hand proxies
-  double search = 0.0;
-  double close = 0.0;  ///< exact legality, closing, contacts, epsilon and exact check
+  double search = 0.0;   ///< the whole search, with what it closes on the way
+  double close = 0.0;    ///< exact legality, closing, contacts, epsilon and exact check: after the paper's
+                         ///< search, on the way of the staged one
   double total = 0.0;
+  double anneal = 0.0;  ///< of the search: drawing and evaluating states
   double volume = 0.0;  ///< of the wrench spaces of the grasps that are kept
 };
 
@@ -114,6 +116,7 @@ struct PlanResult {
   std::vector<Grasp> grasps;   ///< form-closed ones first, by falling epsilon; then the rest by rising energy
   StateCounts states;
   CandidateCounts candidates;
+  int closed_on_the_way = 0;  ///< pre-grasps in all; the staged search closes more than it keeps
   PlanTimings timings;
   std::vector<SearchMilestone> milestones;  ///< of the chain that found the best state
   std::string explanation;                  ///< one sentence: what was found, or why nothing was, with counts
