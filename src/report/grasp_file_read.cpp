@@ -145,12 +145,10 @@ void read_run(const JsonView& view, GraspFile& file) {
   file.options.threads = count_at(view, "threads");
   const JsonView timings = view.at("timings");
   const auto seconds_at = [&](const char* key) { return timings.at(key).number_at_least(0.0); };
-  file.result.timings = {seconds_at("prepare"),
-                         seconds_at("search"),
-                         seconds_at("close"),
-                         seconds_at("total"),
-                         timings.has("anneal") ? seconds_at("anneal") : 0.0,
-                         timings.has("volume") ? seconds_at("volume") : 0.0};
+  file.result.timings = {.prepare = seconds_at("prepare"),
+                         .search = seconds_at("search"),
+                         .close = seconds_at("close"),
+                         .total = seconds_at("total")};
 }
 
 }  // namespace
