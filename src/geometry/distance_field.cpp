@@ -166,8 +166,9 @@ DistanceField::DistanceField(const MeshBvh& bvh, const DistanceFieldOptions& opt
   grids_ = std::move(grids);
 }
 
-DistanceField::DistanceField(std::shared_ptr<const Grids> grids)
-    : grids_(grids ? std::move(grids) : no_grids()) {}
+DistanceField::DistanceField(std::shared_ptr<const Grids> grids) {
+  if (grids) grids_ = std::move(grids);
+}
 
 DistanceField DistanceField::scaled(double factor) const {
   DistanceField field = *this;
