@@ -46,15 +46,27 @@ void take_over(SearchResult& found, const GraspEnergy& energy, const PlanOptions
 
 PlanResult plan_grasps(const Scene& scene, const PlanOptions& options) {
   require_sound(options, scene);
-  PlanResult result;
-  StopWatch whole;
   StopWatch watch;
-
-  // What the hand can hit, and how good a pre-grasp is.
+  // What the hand can hit.
   CollisionModel::Options collision;
   collision.threads = options.threads;
   collision.cache = options.cache;
   const CollisionModel model(scene, collision);
+  const double seconds = watch.lap();
+  PlanResult result = plan_grasps(model, options);
+  result.timings.prepare += seconds;
+  result.timings.total += seconds;
+  return result;
+}
+
+PlanResult plan_grasps(const CollisionModel& model, const PlanOptions& options) {
+  const Scene& scene = model.scene();
+  require_sound(options, scene);
+  PlanResult result;
+  StopWatch whole;
+  StopWatch watch;
+
+  // How good a pre-grasp is.
   const GraspEnergy energy(model, options);
   const SearchSpace space(scene, options.amplitudes);
   const StateEvaluator evaluator(model, space.postures, options.alpha);

@@ -31,12 +31,23 @@ bool PlanBudget::go_on(int worker, std::int64_t newly_done, const Annealer& anne
     ended_.store(true, std::memory_order_relaxed);
     return false;
   }
+  if (options_.milestone) tell_of_milestone(done, annealer);
   if (worker == 0 && options_.progress && now > next_report_) {
     next_report_ = now + 0.1;
     const auto& best = annealer.best().items();
     options_.progress({done, options_.iterations, now, best.empty() ? 0.0 : best.front().energy});
   }
   return true;
+}
+
+void PlanBudget::tell_of_milestone(std::int64_t done, const Annealer& annealer) {
+  if (annealer.milestones().empty()) return;
+  const SearchMilestone& last = annealer.milestones().back();
+  if (last.energy >= told_energy_.load(std::memory_order_relaxed)) return;
+  const std::lock_guard lock(telling_);
+  if (last.energy >= told_energy_.load(std::memory_order_relaxed)) return;
+  told_energy_.store(last.energy, std::memory_order_relaxed);
+  options_.milestone({done, last.energy, last.X_OH, last.dofs});
 }
 
 }  // namespace eigengrasp

@@ -5,6 +5,8 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <limits>
+#include <mutex>
 
 #include "eigengrasp/planning/annealer.hpp"
 #include "eigengrasp/planning/grasp_planner.hpp"
@@ -31,6 +33,7 @@ class PlanBudget {
   static constexpr int steps_between_looks = 8;
 
   bool go_on(int worker, std::int64_t newly_done, const Annealer& annealer);
+  void tell_of_milestone(std::int64_t done, const Annealer& annealer);
   double elapsed() const;
 
   const PlanOptions& options_;
@@ -38,6 +41,8 @@ class PlanBudget {
   std::atomic<std::int64_t> done_{0};
   std::atomic<bool> ended_{false};
   double next_report_ = 0.1;  ///< [s]; used by worker 0 alone
+  std::mutex telling_;
+  std::atomic<double> told_energy_{std::numeric_limits<double>::infinity()};
 };
 
 /// The nth of n_parts nearly equal parts of a whole.

@@ -10,6 +10,7 @@
 
 #include "eigengrasp/core/parallel.hpp"
 #include "eigengrasp/geometry/preparation_cache.hpp"
+#include "eigengrasp/grasp/collision_model.hpp"
 #include "eigengrasp/grasp/grasp.hpp"
 #include "eigengrasp/grasp/scene.hpp"
 #include "eigengrasp/quality/wrench_space.hpp"
@@ -37,6 +38,14 @@ struct PlanProgress {
   double best_energy = 0.0;
 };
 
+/// The best state of the search at one iteration (Fig. 2 of the paper).
+struct SearchMilestone {
+  std::int64_t iteration = 0;
+  double energy = 0.0;
+  Pose X_OH = Pose::Identity();
+  VecX dofs;
+};
+
 struct PlanOptions {
   std::int64_t iterations =
       70000;                ///< states drawn and evaluated, all chains together; 0: until the time limit
@@ -62,6 +71,9 @@ struct PlanOptions {
   const StopFlag* stop = nullptr;  ///< asked every few milliseconds; what was found until then is returned
   std::function<void(const PlanProgress&)> progress =
       {};  ///< called from one thread, some times a second; may be empty
+  /// Hears at once of states that are better than all that it heard of before; `iteration` counts those of
+  /// all chains. Called from any thread of the search, one call at a time; may be empty.
+  std::function<void(const SearchMilestone&)> milestone = {};
 
   /// All violations as sentences: name, value, bound. Empty: the options are sound.
   std::vector<std::string> validate(const HandModel& hand) const;
@@ -102,14 +114,6 @@ enum class PlanStatus {
   nothing_legal,  ///< no legal state near the object was found
 };
 
-/// The best state of the search at one iteration (Fig. 2 of the paper).
-struct SearchMilestone {
-  std::int64_t iteration = 0;
-  double energy = 0.0;
-  Pose X_OH = Pose::Identity();
-  VecX dofs;
-};
-
 struct PlanResult {
   PlanStatus status = PlanStatus::nothing_legal;
   bool stopped_early = false;  ///< by the stop flag, or by the time limit before the iterations were done
@@ -128,5 +132,8 @@ struct PlanResult {
 /// limit).
 /// @throws Error with the sentences of validate() where the options are not sound.
 PlanResult plan_grasps(const Scene& scene, const PlanOptions& options);
+/// The same for a scene that was prepared before; timings.prepare is then what is left to prepare.
+/// @pre the model was prepared with Options::fast
+PlanResult plan_grasps(const CollisionModel& model, const PlanOptions& options);
 
 }  // namespace eigengrasp
