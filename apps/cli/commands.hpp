@@ -22,5 +22,6 @@ void add_hand_command(CLI::App& app, int& exit_code);
 void add_object_command(CLI::App& app);
 void add_bench_command(CLI::App& app, int& exit_code);
 void add_reproduce_command(CLI::App& app, int& exit_code);
+void add_serve_command(CLI::App& app);
 
 }  // namespace eigengrasp::cli

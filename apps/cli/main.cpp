@@ -49,6 +49,7 @@ int main(int argc, char** argv) {
   eigengrasp::cli::add_object_command(app);
   eigengrasp::cli::add_bench_command(app, exit_code);
   eigengrasp::cli::add_reproduce_command(app, exit_code);
+  eigengrasp::cli::add_serve_command(app);
   try {
     app.parse(argc, argv);
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exit_code;
