@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The eigengrasp authors
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
+import { padded_range } from "./range";
 
 export interface TraceStyle {
   label: string;
@@ -76,7 +77,7 @@ function chart_options(style: ChartStyle): uPlot.Options {
     axes: [
       { stroke: ink, grid, ticks: grid, font, size: 30, gap: 3, label: style.x_label, labelSize: 14, labelFont: font,
         labelGap: -2, values: (_plot, ticks) => ticks.map((tick) => x_format(tick)) },
-      { stroke: ink, grid, ticks: grid, font, size: 48, gap: 4, label: style.y_label, labelSize: 16, labelFont: font,
+      { stroke: ink, grid, ticks: grid, font, size: 48, gap: 4, space: 22, label: style.y_label, labelSize: 16, labelFont: font,
         ...(y_format ? { values: (_plot, ticks) => ticks.map((tick) => y_format(tick)) } : {}) },
     ],
     series: [
@@ -99,16 +100,4 @@ function chart_series(trace: TraceStyle): uPlot.Series {
     ...(stepped ? { paths: stepped } : {}),
     ...(trace.fill ? { fill: trace.colour + "22" } : {}),
   };
-}
-
-/** Some air above and below; a flat or an empty line gets a range too. */
-export function padded_range(low: number | null, high: number | null, floor?: number): [number, number] {
-  let from = Math.min(low ?? 0, floor ?? Infinity);
-  let to = Math.max(high ?? 1, floor ?? -Infinity);
-  if (!(to > from)) {
-    from -= 0.5;
-    to += 0.5;
-  }
-  const air = (to - from) * 0.08;
-  return [from === floor ? from : from - air, to + air];
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
 import { BoxGeometry, type BufferGeometry, Group, type Material, Mesh, PlaneGeometry, ShadowMaterial } from "three";
-import { GridHelper } from "three";
 import { position_of, rotation_of } from "../core/pose";
 import type { LinkPoses } from "../wire/messages";
+import { ground_grid } from "./grid";
 import type { Shapes } from "./models";
 import { table_material } from "./palette";
 
@@ -47,16 +47,15 @@ export function object_mesh(geometry: BufferGeometry, look: Material, scale: num
   return mesh;
 }
 
-/** What is below: a floor that only takes shadows, with lines every 50 mm, or a table's top. */
+/** What is below: a floor that takes shadows and has lines, and a table's top where there is one. */
 export class Ground extends Group {
   private readonly floor = new Mesh(new PlaneGeometry(8, 8), new ShadowMaterial({ opacity: 0.45 }));
-  private readonly grid = new GridHelper(6, 120, "#3a4552", "#222933");
+  private readonly grid = ground_grid();
   private readonly table = new Mesh(new BoxGeometry(0.9, 0.9, 0.03), table_material());
 
   constructor() {
     super();
     this.floor.receiveShadow = true;
-    this.grid.rotation.x = Math.PI / 2;
     this.table.receiveShadow = true;
     this.table.castShadow = true;
     this.add(this.floor, this.grid, this.table);
@@ -67,7 +66,7 @@ export class Ground extends Group {
     const drop = table ? 0.03 + 0.32 : 0;
     this.table.visible = table;
     this.table.position.z = height - 0.015 - 0.0004;
-    this.grid.position.z = height - drop - 0.0008;
-    this.floor.position.z = height - drop - 0.0006;
+    this.grid.position.z = height - drop - 0.0004;
+    this.floor.position.z = height - drop - 0.0008;
   }
 }

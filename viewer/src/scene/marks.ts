@@ -18,9 +18,12 @@ export function cone_half_angle(friction: number): number {
 /** Contacts: a dot at the point and the friction cone, which opens into the object. */
 export class ContactMarks extends Group {
   private readonly surface = new MeshStandardMaterial({
-    color: palette.contact, emissive: palette.contact.clone().multiplyScalar(0.35), transparent: true, opacity: 0.42,
+    color: palette.contact, emissive: palette.contact.clone().multiplyScalar(0.35), transparent: true, opacity: 0.5,
     side: DoubleSide, depthWrite: false, roughness: 0.6,
   });
+  /** What of the cones is hidden, shown faintly. */
+  private readonly hidden = new MeshBasicMaterial({
+    color: palette.contact, transparent: true, opacity: 0.16, side: DoubleSide, depthWrite: false, depthTest: false });
   private readonly dot = new MeshBasicMaterial({ color: "#ffd0d6", depthTest: false, transparent: true });
 
   /** @param height of the cones [m] */
@@ -30,15 +33,18 @@ export class ContactMarks extends Group {
     if (contacts.length === 0) return;
     const cone = new ConeGeometry(1, 1, 28, 1, true).translate(0, -0.5, 0).rotateX(Math.PI);
     const cones = new InstancedMesh(cone, this.surface, contacts.length);
+    const hidden = new InstancedMesh(cone, this.hidden, contacts.length);
     const dots = new InstancedMesh(new SphereGeometry(height * 0.07, 12, 8), this.dot, contacts.length);
     contacts.forEach((contact, i) => {
       const place = contact_matrix(contact, height);
       cones.setMatrixAt(i, place);
+      hidden.setMatrixAt(i, place);
       dots.setMatrixAt(i, new Matrix4().setPosition(to_vector(contact.point)));
     });
     cones.renderOrder = 3;
     dots.renderOrder = 4;
-    this.add(cones, dots);
+    hidden.renderOrder = 3;
+    this.add(cones, hidden, dots);
   }
 }
 

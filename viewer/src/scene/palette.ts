@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
-import { Color, DoubleSide, MeshPhysicalMaterial, MeshStandardMaterial } from "three";
+import { BackSide, Color, DoubleSide, MeshPhysicalMaterial, MeshStandardMaterial } from "three";
 
 /** Colours of the 3-D view; the style sheet has the same ones for the legend. */
 export const palette = {
   background: new Color("#12161c"),
-  hand: new Color("#7fb2e5"),
-  hand_tip: new Color("#a9cdf0"),
-  object: new Color("#e0a458"),
+  hand: new Color("#6a9fd8"),
+  object: new Color("#e09b45"),
   table: new Color("#343c46"),
   ghost: new Color("#3ddc97"),
   pregrasp: new Color("#5aa9ff"),
@@ -17,10 +16,10 @@ export const palette = {
 };
 
 export const hand_material = (): MeshPhysicalMaterial =>
-  new MeshPhysicalMaterial({ color: palette.hand, roughness: 0.5, metalness: 0.05, clearcoat: 0.25, clearcoatRoughness: 0.5 });
+  new MeshPhysicalMaterial({ color: palette.hand, roughness: 0.48, metalness: 0, clearcoat: 0.3, clearcoatRoughness: 0.45 });
 
 export const object_material = (): MeshStandardMaterial =>
-  new MeshStandardMaterial({ color: palette.object, roughness: 0.62, metalness: 0.0, side: DoubleSide });
+  new MeshStandardMaterial({ color: palette.object, roughness: 0.62, metalness: 0.0, side: DoubleSide, shadowSide: BackSide });
 
 export const table_material = (): MeshStandardMaterial =>
   new MeshStandardMaterial({ color: palette.table, roughness: 0.9, metalness: 0.0 });

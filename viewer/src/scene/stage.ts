@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
 import {
-  ACESFilmicToneMapping, DirectionalLight, Fog, Group, HemisphereLight, PCFShadowMap, PerspectiveCamera, PMREMGenerator,
+  DirectionalLight, Group, HemisphereLight, NeutralToneMapping, PCFShadowMap, PerspectiveCamera, PMREMGenerator,
   Scene, Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
@@ -24,7 +24,7 @@ export class Stage {
   readonly world = new Group();
   /** Seconds since the frame before. A listener that wants to go on calls `request`. */
   readonly frames = new Topic<number>();
-  private readonly sun = new DirectionalLight("#ffffff", 2.4);
+  private readonly sun = new DirectionalLight("#fff6ea", 2.1);
   private wanted = false;
   private last = 0;
 
@@ -33,8 +33,7 @@ export class Stage {
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
-    this.renderer.toneMapping = ACESFilmicToneMapping;
-    this.renderer.toneMappingExposure = 1.05;
+    this.renderer.toneMapping = NeutralToneMapping;
     this.renderer.domElement.tabIndex = 0;
     this.renderer.domElement.setAttribute("aria-label", "3-D view");
     box.append(this.renderer.domElement);
@@ -100,19 +99,18 @@ export class Stage {
 
   private dress(): void {
     this.scene.background = palette.background;
-    this.scene.fog = new Fog(palette.background, 1.6, 4.5);
     const maker = new PMREMGenerator(this.renderer);
     this.scene.environment = maker.fromScene(new RoomEnvironment(), 0.04).texture;
-    this.scene.environmentIntensity = 0.42;
+    this.scene.environmentIntensity = 0.38;
     maker.dispose();
     this.sun.castShadow = true;
     this.sun.shadow.mapSize.set(2048, 2048);
     this.sun.shadow.radius = 5;
     this.sun.shadow.bias = -0.0004;
     this.sun.shadow.normalBias = 0.0015;
-    const fill = new DirectionalLight("#9fc4ff", 0.5);
+    const fill = new DirectionalLight("#9fc4ff", 0.55);
     fill.position.set(-1.2, 0.8, 0.6);
-    this.scene.add(this.sun, this.sun.target, fill, new HemisphereLight("#cfe2ff", "#1a1d22", 0.5));
+    this.scene.add(this.sun, this.sun.target, fill, new HemisphereLight("#cfe2ff", "#1a1d22", 0.25));
   }
 
   private draw(now: number): void {

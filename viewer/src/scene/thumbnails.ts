@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
-import { ACESFilmicToneMapping, Color, DirectionalLight, HemisphereLight, Mesh, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from "three";
+import { NeutralToneMapping, Color, DirectionalLight, HemisphereLight, Mesh, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from "three";
 import type { LinkPoses } from "../wire/messages";
 import { HandFigure, object_mesh } from "./figures";
 import type { ModelLibrary } from "./models";
@@ -23,10 +23,10 @@ export class Thumbnails {
   private busy = false;
 
   constructor(private readonly models: ModelLibrary) {
-    const sun = new DirectionalLight("#ffffff", 2.6);
+    const sun = new DirectionalLight("#fff6ea", 2.4);
     sun.position.set(0.6, -0.7, 1.2);
     this.scene.background = new Color("#0d1117");
-    this.scene.add(sun, new HemisphereLight("#dcebff", "#30343c", 1.5), this.hand);
+    this.scene.add(sun, new HemisphereLight("#dcebff", "#30343c", 1.1), this.hand);
     this.camera.up.set(0, 0, 1);
   }
 
@@ -91,7 +91,7 @@ export class Thumbnails {
   private make_renderer(): WebGLRenderer {
     const renderer = new WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
     renderer.setSize(width, height, false);
-    renderer.toneMapping = ACESFilmicToneMapping;
+    renderer.toneMapping = NeutralToneMapping;
     return renderer;
   }
 }

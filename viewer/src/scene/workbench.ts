@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
-import { Mesh, type MeshStandardMaterial, Vector3 } from "three";
+import { Box3, Mesh, type MeshStandardMaterial, Sphere, Vector3 } from "three";
+import { home_pose, open_hand } from "../core/home_pose";
 import type { Hand, LinkPoses, Object as SceneObject } from "../wire/messages";
 import { Ground, HandFigure, object_mesh } from "./figures";
 import { ContactMarks, SearchConeMark } from "./marks";
@@ -122,8 +123,16 @@ export class Workbench {
     return half + this.shown.hand.reach * 0.55;
   }
 
+  /** Sees the object and the hand at the place where it begins. */
   look_home(): void {
-    this.stage.frame_ball(this.center, this.radius);
+    if (!this.shown) return;
+    const { hand, object, scale } = this.shown;
+    const box = new Box3();
+    for (const link of open_hand(hand, home_pose(hand, object, scale))) box.expandByPoint(new Vector3(link[0], link[1], link[2]));
+    const half = new Vector3(...object.size).multiplyScalar(scale / 2);
+    box.expandByPoint(this.center.add(half)).expandByPoint(this.center.sub(half));
+    const ball = box.getBoundingSphere(new Sphere());
+    this.stage.frame_ball(ball.center, ball.radius * 1.02);
   }
 
   /** The camera moves only where another object or hand came, so that an operator keeps the view of his choice. */

@@ -14,7 +14,8 @@ export class WristGizmo {
 
   constructor(private readonly stage: Stage, on_drag: (pose: Pose) => void) {
     this.controls = new TransformControls(stage.camera, stage.renderer.domElement);
-    this.controls.setSize(0.62);
+    this.controls.setSize(0.8);
+    this.controls.setColors("#ff5d73", "#3ddc97", "#58a6ff", "#ffd866");
     this.controls.setSpace("local");
     this.controls.attach(this.handle);
     this.helper = this.controls.getHelper();

@@ -29,21 +29,19 @@ type Change = (part: Partial<SceneChoice>) => void;
 
 function hand_section(app: App, change: Change): HTMLElement {
   const list = h("select", { id: "hand", "aria-label": "Hand", onchange: () => change({ hand: list.value }) });
-  const figures = new Figures({ dofs: "Degrees of freedom", eigengrasps: "Eigengrasps", links: "Links", reach: "Reach" });
   const title = h("p", { class: "note" });
+  const facts = h("p", { class: "note" });
   const show = () => {
     const status = app.status.value;
     const hand = app.hand(app.choice.value?.hand ?? "");
     if (!status || !hand) return;
     list.replaceChildren(...options_of(status.hands.map((one) => [one.name, one.name] as const), hand.name));
     set_text(title, hand.title);
-    figures.set({ dofs: String(hand.n_dof), eigengrasps: String(hand.eigengrasps), links: String(hand.n_links),
-      reach: `${(hand.reach * 1e3).toFixed(0)} mm` });
+    set_text(facts, `${hand.n_dof} DOF · ${hand.eigengrasps} eigengrasps · ${hand.n_links} links · reach ${(hand.reach * 1e3).toFixed(0)} mm`);
   };
   app.status.watch(show);
   app.choice.watch(show);
-  title.style.marginBottom = "8px";
-  return section("Hand", list, title, figures.element);
+  return section("Hand", list, title, facts);
 }
 
 function object_section(app: App, change: Change): HTMLElement {
