@@ -16,11 +16,6 @@ double AnnealingSchedule::temperature(double progress) const {
   return initial_temperature * std::exp(-decay * std::pow(k, 1.0 / dimensions));
 }
 
-double neighbor_jump(double temperature, double u) {
-  const double y = temperature * (std::pow(1.0 + 1.0 / temperature, std::abs(2.0 * u - 1.0)) - 1.0);
-  return u < 0.5 ? -y : y;
-}
-
 SearchSpace::SearchSpace(const Scene& scene, int n_amplitudes)
     : postures(
           scene.hand->eigengrasps.with_size(n_amplitudes, scene.hand->dof_min(), scene.hand->dof_max())) {

@@ -2,6 +2,9 @@
 // SPDX-FileCopyrightText: The eigengrasp authors
 #include "eigengrasp/planning/grasp_energy.hpp"
 
+#include <cmath>
+#include <limits>
+
 #include "eigengrasp/contact/material.hpp"
 
 namespace eigengrasp {
@@ -31,10 +34,10 @@ void GraspEnergy::approach(const std::vector<Pose>& X_OL, DistanceSource source,
     a.p_OC = X * c.p_LC;
     a.n_OC = X.linear() * c.n_LC;
     const FieldSample s =
-        source == DistanceSource::field ? model_.object_field().sample(a.p_OC) : FieldSample{};
+        source == DistanceSource::exact ? FieldSample{} : model_.object_field().sample(a.p_OC);
     Vec3 to_object;  // any length
     // Near the medial axis, where the field's gradient is short, it does not know the direction.
-    constexpr double least_gradient = 0.97;
+    const double least_gradient = source == DistanceSource::gradients ? 1e-3 : 0.97;
     if (s.gradient.squaredNorm() > least_gradient * least_gradient) {
       a.distance = std::abs(s.distance);
       to_object = s.distance > 0.0 ? Vec3(-s.gradient) : s.gradient;
@@ -62,7 +65,19 @@ double GraspEnergy::paper_quality(const std::vector<ContactApproach>& approaches
 }
 
 double GraspEnergy::wrench_energy(const std::vector<ContactApproach>& approaches) const {
-  std::vector<Vec6> wrenches;
+  WeakDirections none;
+  return wrench_energy(approaches, std::numeric_limits<double>::infinity(), none, 0);
+}
+
+double GraspEnergy::wrench_energy(const std::vector<ContactApproach>& approaches, double threshold,
+                                  WeakDirections& weak, int most_expansions) const {
+  for (const Vec6& u : weak.all()) {
+    const double h = reach(approaches, u);
+    if (h <= 0.0) return contact_energy(approaches);
+    if (-100.0 * h >= threshold) return -100.0 * h;
+  }
+  thread_local std::vector<Vec6> wrenches;
+  wrenches.clear();
   for (std::size_t i = 0; i < approaches.size(); ++i) {
     const double weight = 1.0 - approaches[i].delta(alpha_);
     if (weight <= 0.0) continue;
@@ -71,8 +86,27 @@ double GraspEnergy::wrench_energy(const std::vector<ContactApproach>& approaches
                          wrenches);
     for (std::size_t k = first; k < wrenches.size(); ++k) wrenches[k] *= weight;
   }
-  const WrenchSpaceQuality quality = compute_epsilon(wrenches, wrench_space_.epsilon_min);
+  const RoughEpsilon rough{std::max(0.0, -0.01 * threshold), most_expansions};
+  const WrenchSpaceQuality quality = estimate_epsilon(wrenches, wrench_space_.epsilon_min, rough);
+  if (!quality.weakest.isZero()) weak.add(quality.weakest);
   return quality.form_closure ? -100.0 * quality.epsilon : contact_energy(approaches);
+}
+
+/// How far the wrench space of eq. (8) reaches in a direction, with true friction cones: at least as far as
+/// with their edges.
+double GraspEnergy::reach(const std::vector<ContactApproach>& approaches, const Vec6& u) const {
+  double h = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < approaches.size(); ++i) {
+    const ContactApproach& a = approaches[i];
+    const double weight = 1.0 - a.delta(alpha_);
+    if (weight <= 0.0) continue;
+    const Vec3 arm = (a.p_OC - wrench_space_.torque_origin_O) / wrench_space_.torque_scale;
+    const Vec3 g = u.head<3>() + u.tail<3>().cross(arm);
+    const double along = g.dot(a.n_OC);
+    const double across = std::sqrt(std::max(0.0, g.squaredNorm() - along * along));
+    h = std::max(h, weight * (along + friction_[i] * across));
+  }
+  return h;
 }
 
 double GraspEnergy::evaluate(const std::vector<Pose>& X_OL, DistanceSource source,

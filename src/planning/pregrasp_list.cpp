@@ -29,4 +29,11 @@ bool PreGraspList::add(PreGrasp candidate) {
   return true;
 }
 
+std::optional<PreGrasp> PreGraspList::take_best() {
+  if (items_.empty()) return std::nullopt;
+  std::optional<PreGrasp> best = std::move(items_.front());
+  items_.erase(items_.begin());
+  return best;
+}
+
 }  // namespace eigengrasp

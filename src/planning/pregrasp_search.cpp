@@ -17,36 +17,44 @@ Distinctness distinctness_of(const HandModel& hand) {
 
 namespace {
 
-/// The pre-grasp after the palm has moved up to the object, and how it closes then; without test where the
-/// palm does not come to touch.
-TestedPreGrasp test_after_approach(const Annealer::Task& task, PreGrasp pregrasp, double most_travel) {
-  constexpr double least_travel = 0.001;  // [m] less is no other pre-grasp
-  const VecX joints = joint_values(*task.model.scene().hand, pregrasp.dofs);
-  const PalmApproach approach = approach_until_contact(task.model, pregrasp.X_OH, joints, most_travel);
+/// The pre-grasp where it stands, once it is legal by exact meshes.
+TestedPreGrasp test_in_place(const CollisionModel& model, const GraspEnergy& energy, PreGrasp pregrasp) {
   TestedPreGrasp tested;
-  if (!approach.touches || approach.travel < least_travel) return tested;
-  pregrasp.X_OH = approach.X_OH;
-  if (!make_exactly_legal(task.model, task.energy, pregrasp)) return tested;
-  tested.result = test_candidate(task.model, task.energy, pregrasp);
+  if (!make_exactly_legal(model, energy, pregrasp)) return tested;
+  tested.result = test_candidate(model, energy, pregrasp);
   tested.result.tests = 1;
   tested.pregrasp = std::move(pregrasp);
   return tested;
 }
 
+/// The pre-grasp after the palm has moved up to the object; without test where the palm does not come to
+/// touch.
+TestedPreGrasp test_after_approach(const CollisionModel& model, const GraspEnergy& energy, PreGrasp pregrasp,
+                                   double most_travel) {
+  constexpr double least_travel = 0.001;  // [m] less is no other pre-grasp
+  const VecX joints = joint_values(*model.scene().hand, pregrasp.dofs);
+  const PalmApproach approach = approach_until_contact(model, pregrasp.X_OH, joints, most_travel);
+  if (!approach.touches || approach.travel < least_travel) return {};
+  pregrasp.X_OH = approach.X_OH;
+  return test_in_place(model, energy, std::move(pregrasp));
+}
+
 }  // namespace
+
+TestedPreGrasp test_pregrasp(const CollisionModel& model, const GraspEnergy& energy, PreGrasp pregrasp,
+                             double approach) {
+  TestedPreGrasp tested = test_in_place(model, energy, std::move(pregrasp));
+  if (tested.result.tests == 0 || tested.result.grasp.form_closure || approach <= 0.0) return tested;
+  TestedPreGrasp nearer = test_after_approach(model, energy, tested.pregrasp, approach);
+  return nearer.result.grasp.form_closure ? nearer : tested;
+}
 
 std::vector<TestedPreGrasp> test_all(const Annealer::Task& task, std::vector<PreGrasp> pregrasps,
                                      const PlanOptions& options, double approach) {
   std::vector<TestedPreGrasp> tested(pregrasps.size());
   parallel_for(pregrasps.size(), options.threads, [&](std::size_t i, int) {
     if (options.stop && options.stop->stop_requested()) return;
-    if (!make_exactly_legal(task.model, task.energy, pregrasps[i])) return;
-    tested[i].result = test_candidate(task.model, task.energy, pregrasps[i]);
-    tested[i].result.tests = 1;
-    tested[i].pregrasp = std::move(pregrasps[i]);
-    if (tested[i].result.grasp.form_closure || approach <= 0.0) return;
-    TestedPreGrasp nearer = test_after_approach(task, tested[i].pregrasp, approach);
-    if (nearer.result.grasp.form_closure) tested[i] = std::move(nearer);
+    tested[i] = test_pregrasp(task.model, task.energy, std::move(pregrasps[i]), approach);
   });
   std::erase_if(tested, [](const TestedPreGrasp& t) { return t.result.tests == 0; });
   return tested;

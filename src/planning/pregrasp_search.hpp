@@ -38,6 +38,11 @@ SearchResult search_in_stages(const Annealer::Task& task, const PlanOptions& opt
 /// How far apart two pre-grasps of a hand must be.
 Distinctness distinctness_of(const HandModel& hand);
 
+/// Closes one pre-grasp, after making it legal by exact meshes; no test (tests == 0) where it cannot be.
+/// @param approach see test_all
+TestedPreGrasp test_pregrasp(const CollisionModel& model, const GraspEnergy& energy, PreGrasp pregrasp,
+                             double approach);
+
 /// Closes pre-grasps on all threads, after making them legal by exact meshes; those that cannot be are left
 /// out.
 /// @param approach where a pre-grasp does not close to form closure, the palm moves up to the object by at

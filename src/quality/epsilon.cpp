@@ -44,8 +44,8 @@ const detail::WrenchSupport& make_support(std::span<const ContactPoint> contacts
   return s.points;
 }
 
-WrenchSpaceQuality make_quality(double epsilon, double epsilon_min) {
-  return {epsilon, epsilon > 0.0 && epsilon >= epsilon_min};
+WrenchSpaceQuality make_quality(double epsilon, double epsilon_min, const Vec6& weakest) {
+  return {epsilon, epsilon > 0.0 && epsilon >= epsilon_min, weakest};
 }
 
 /// Tells the two sides of epsilon_min apart, so finely that it does not matter beside epsilon_min itself.
@@ -73,20 +73,29 @@ WrenchSpaceQuality compute_epsilon(std::span<const ContactPoint> contacts,
   if (bounds.lower < options.epsilon_min && options.epsilon_min <= bounds.upper) {
     bounds = s.polytope.compute_distance(support, closure_goal(options));
   }
-  return make_quality(std::min(loose, bounds.upper), options.epsilon_min);
+  return make_quality(std::min(loose, bounds.upper), options.epsilon_min, bounds.weakest);
 }
 
 WrenchSpaceQuality compute_epsilon(std::span<const Vec6> wrenches, double epsilon_min) {
+  return estimate_epsilon(wrenches, epsilon_min, {});
+}
+
+WrenchSpaceQuality estimate_epsilon(std::span<const Vec6> wrenches, double epsilon_min,
+                                    const RoughEpsilon& rough) {
   Scratch& s = scratch();
   s.points.assign(wrenches);
-  return make_quality(s.polytope.compute_distance(s.points, {}).upper, epsilon_min);
+  detail::ExpansionGoal goal;
+  goal.enough_below = rough.at_least;
+  if (rough.most_expansions > 0) goal.most_expansions = static_cast<std::size_t>(rough.most_expansions);
+  const detail::DistanceBounds bounds = s.polytope.compute_distance(s.points, goal);
+  return make_quality(bounds.upper, epsilon_min, bounds.weakest);
 }
 
 bool has_form_closure(std::span<const ContactPoint> contacts, const WrenchSpaceOptions& options) {
   Scratch& s = scratch();
   const detail::WrenchSupport& support = make_support(contacts, options, s);
-  const double upper = s.polytope.compute_distance(support, closure_goal(options)).upper;
-  return make_quality(upper, options.epsilon_min).form_closure;
+  const detail::DistanceBounds bounds = s.polytope.compute_distance(support, closure_goal(options));
+  return make_quality(bounds.upper, options.epsilon_min, bounds.weakest).form_closure;
 }
 
 }  // namespace eigengrasp

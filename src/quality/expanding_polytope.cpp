@@ -47,7 +47,10 @@ double ExpandingPolytope::slack() const {
 
 double ExpandingPolytope::probe(const Vec6& u, Vec6& w) {
   const double h = set_->support(u, w);
-  upper_ = std::min(upper_, h);
+  if (h < upper_) {
+    upper_ = h;
+    weakest_ = u;
+  }
   return h;
 }
 
@@ -57,18 +60,21 @@ DistanceBounds ExpandingPolytope::compute_distance(const WrenchSupport& set, con
   tolerance_ = std::max(goal.tolerance, 0.0);
   n_expansions_ = n_created_ = 0;
   upper_ = std::numeric_limits<double>::infinity();
-  if (!(scale_ > 0.0) || !build_simplex()) return {};
+  weakest_.setZero();
+  if (!(scale_ > 0.0) || !build_simplex()) return {0.0, 0.0, true, weakest_};
   make_simplex_facets();
   Candidate least;
   Vec6 w;
   while (true) {
     const bool any = pop_least(least);
     const double lower = any ? std::min(least.offset, upper_) : upper_ - slack();
-    if (upper_ <= 0.0) return {};
-    if (!any || lower >= upper_ - slack() || upper_ < goal.threshold || lower >= goal.threshold) {
-      return {std::max(lower, 0.0), upper_, true};
+    if (upper_ <= 0.0) return {0.0, 0.0, true, weakest_};
+    if (!any || lower >= upper_ - slack() || upper_ < goal.threshold || upper_ < goal.enough_below ||
+        lower >= goal.threshold) {
+      return {std::max(lower, 0.0), upper_, true, weakest_};
     }
-    if (n_created_ > kMaxFacets) return {std::max(lower, 0.0), upper_, false};
+    if (n_created_ > kMaxFacets || n_expansions_ >= goal.most_expansions)
+      return {std::max(lower, 0.0), upper_, false, weakest_};
     Facet& facet = facets_[static_cast<std::size_t>(least.facet)];
     if (plane_error(facet) > kPlaneDrift * scale_) refine(facet);
     probe(normal(facet), w);

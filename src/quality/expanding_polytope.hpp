@@ -17,6 +17,8 @@ struct ExpansionGoal {
   double tolerance = 0.0;  ///< stop where upper - lower <= tolerance * max(1, upper)
   /// Stop where upper < threshold or lower >= threshold; NaN: never for that reason.
   double threshold = std::numeric_limits<double>::quiet_NaN();
+  double enough_below = 0.0;                                              ///< stop where upper < enough_below
+  std::size_t most_expansions = std::numeric_limits<std::size_t>::max();  ///< stop after so many
 };
 
 /// lower <= distance from the origin to the boundary of the set <= upper; both 0 where the origin is not
@@ -25,6 +27,9 @@ struct DistanceBounds {
   double lower = 0.0;
   double upper = 0.0;
   bool converged = true;
+  Vec6 weakest =
+      Vec6::Zero();  ///< unit direction in which the set reaches no farther than upper; where the
+                     ///< origin is not inside, one that parts it from the set, as far as one was met
 };
 
 /// Distance from the origin to the boundary of a convex set in six dimensions, by a polytope inside of the
@@ -87,6 +92,7 @@ class ExpandingPolytope {
   const WrenchSupport* set_ = nullptr;
   double scale_ = 0.0;
   double upper_ = 0.0;
+  Vec6 weakest_ = Vec6::Zero();
   double tolerance_ = 0.0;
   std::uint32_t step_ = 0;
   std::uint32_t serial_ = 0;

@@ -26,7 +26,7 @@ inline HandState any_state(const SearchSpace& space, RandomStream& random) {
 /// A neighbour as an Annealer draws it, by scalar code.
 inline HandState any_neighbor(const SearchSpace& space, const HandState& from, double temperature,
                               RandomStream& random) {
-  const auto jump = [&] { return neighbor_jump(temperature, random.uniform()); };
+  const auto jump = [&] { return NeighborJump(temperature)(random.uniform()); };
   const auto shift = [&](double value, double most, double low, double high) {
     for (int attempt = 0; attempt < 7; ++attempt) {
       const double moved = value + most * jump();

@@ -35,15 +35,15 @@ TEST(NeighborJump, StaysWithinOneAndIsSymmetric) {
   for (const double temperature : {1e-9, 9.36e-6, 0.01, 1.0}) {
     for (int i = 0; i <= 1000; ++i) {
       const double u = i / 1001.0;
-      const double y = neighbor_jump(temperature, u);
+      const double y = NeighborJump(temperature)(u);
       EXPECT_GE(y, -1.0 - 1e-12);
       EXPECT_LE(y, 1.0 + 1e-12);
       if (i > 0) {
-        EXPECT_NEAR(neighbor_jump(temperature, 1.0 - u), -y, 1e-9);
+        EXPECT_NEAR(NeighborJump(temperature)(1.0 - u), -y, 1e-9);
       }
     }
-    EXPECT_EQ(neighbor_jump(temperature, 0.5), 0.0);
-    EXPECT_NEAR(neighbor_jump(temperature, 0.0), -1.0, 1e-9);
+    EXPECT_EQ(NeighborJump(temperature)(0.5), 0.0);
+    EXPECT_NEAR(NeighborJump(temperature)(0.0), -1.0, 1e-9);
   }
 }
 
@@ -51,7 +51,7 @@ TEST(NeighborJump, HasANarrowMiddleAndWideTails) {
   RandomStream random{1};
   const double temperature = AnnealingSchedule().temperature(0.0);
   std::vector<double> size(200000);
-  for (double& y : size) y = std::abs(neighbor_jump(temperature, random.uniform()));
+  for (double& y : size) y = std::abs(NeighborJump(temperature)(random.uniform()));
   std::sort(size.begin(), size.end());
   EXPECT_NEAR(size[size.size() / 2], 0.003, 0.0003);
   const auto wide = size.end() - std::upper_bound(size.begin(), size.end(), 0.1);

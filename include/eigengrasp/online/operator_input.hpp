@@ -11,8 +11,8 @@ namespace eigengrasp {
 
 /// One reading of a tracker: where the operator holds the wrist.
 struct WristSample {
-  double time = 0.0;               ///< of the sender's clock [s]; only differences and order count
-  Pose X_OH = Pose::Identity();    ///< hand base in the object frame
+  double time = 0.0;             ///< of the sender's clock [s]; only differences and order count
+  Pose X_OH = Pose::Identity();  ///< hand base in the object frame
 };
 
 /// Shared control: a value that the operator wants for a variable of the search, as decoded from cortical or

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The eigengrasp authors
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -31,8 +32,21 @@ struct AnnealingSchedule {
   double acceptance_temperature(double progress) const { return temperature(progress) / error_scale; }
 };
 
-/// Ingber's neighbour distribution: in [-1, 1], wide tails, of width T. @param u uniform in [0, 1)
-double neighbor_jump(double temperature, double u);
+/// Ingber's neighbour distribution: in [-1, 1], wide tails, of width T.
+class NeighborJump {
+ public:
+  explicit NeighborJump(double temperature)
+      : temperature_(temperature), log_range_(std::log1p(1.0 / temperature)) {}
+  /// @param u uniform in [0, 1)
+  double operator()(double u) const {
+    const double y = temperature_ * std::expm1(log_range_ * std::abs(2.0 * u - 1.0));
+    return u < 0.5 ? -y : y;
+  }
+
+ private:
+  double temperature_;
+  double log_range_;
+};
 
 /// Ranges and largest jumps of the variables of a HandState: the approach point within a box about the
 /// object, any orientation, amplitudes within their ranges.

@@ -2,6 +2,10 @@
 // SPDX-FileCopyrightText: The eigengrasp authors
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
 #include <vector>
 
 #include "eigengrasp/grasp/collision_model.hpp"
@@ -11,8 +15,9 @@ namespace eigengrasp {
 
 /// Where distances of virtual contacts come from.
 enum class DistanceSource {
-  field,  ///< the object's distance field: fast, see its error
-  exact,  ///< nearest points on the mesh
+  field,      ///< the object's distance field, and nearest points where it does not know the direction
+  gradients,  ///< the field alone: near its medial axis the direction is that of its gradient. Fastest
+  exact,      ///< nearest points on the mesh
 };
 
 /// One virtual contact of a posed hand and the object.
@@ -23,6 +28,23 @@ struct ContactApproach {
   Vec3 n_OC = Vec3::UnitZ();  ///< outwards from the hand
   /// delta_i of eq. (6); alpha [m].
   double delta(double alpha) const { return distance / alpha + (1.0 - cosine); }
+};
+
+/// Directions in which the wrench spaces of a chain's states reached least far. States nearby are mostly weak
+/// in the same directions, so that one of them tells that a state is worse, without its epsilon.
+class WeakDirections {
+ public:
+  void add(const Vec6& u) {
+    directions_[next_] = u;
+    next_ = (next_ + 1) % directions_.size();
+    size_ = std::min(size_ + 1, directions_.size());
+  }
+  std::span<const Vec6> all() const { return {directions_.data(), size_}; }
+
+ private:
+  std::array<Vec6, 16> directions_;
+  std::size_t size_ = 0;
+  std::size_t next_ = 0;
 };
 
 /// The quality functions of sections III-B and IV-C, as energies to minimise. Immutable, shared; scratch is
@@ -47,6 +69,13 @@ class GraspEnergy {
   /// the search finds its way there.
   double wrench_energy(const std::vector<ContactApproach>& approaches) const;
 
+  /// The same for a search that wants it only where it is below a threshold: else anything from there up is
+  /// returned, at a hundredth of the cost where the weak directions tell. @param weak of the chain; takes up
+  /// what limits this state @param most_expansions see RoughEpsilon: the
+  /// energy may come out too low by what they leave open
+  double wrench_energy(const std::vector<ContactApproach>& approaches, double threshold, WeakDirections& weak,
+                       int most_expansions) const;
+
   /// The energy that the options name.
   double evaluate(const std::vector<Pose>& X_OL, DistanceSource source,
                   std::vector<ContactApproach>& scratch) const;
@@ -58,6 +87,8 @@ class GraspEnergy {
   const WrenchSpaceOptions& wrench_space() const { return wrench_space_; }
 
  private:
+  double reach(const std::vector<ContactApproach>& approaches, const Vec6& u) const;
+
   const CollisionModel& model_;
   EnergyKind kind_;
   double alpha_;

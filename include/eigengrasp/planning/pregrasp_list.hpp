@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "eigengrasp/core/pose.hpp"
@@ -41,6 +42,8 @@ class PreGraspList {
   bool admits(double energy) const { return items_.size() < capacity_ || energy < items_.back().energy; }
   /// True where the candidate was taken in.
   bool add(PreGrasp candidate);
+  /// Takes the one of lowest energy out; none where the list is empty.
+  std::optional<PreGrasp> take_best();
   const std::vector<PreGrasp>& items() const { return items_; }
   void clear() { items_.clear(); }
 

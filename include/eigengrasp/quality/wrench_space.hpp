@@ -38,6 +38,9 @@ struct WrenchSpaceQuality {
   double epsilon =
       0.0;  ///< radius of the largest origin-centred ball inside the wrench space; 0: origin not inside
   bool form_closure = false;  ///< epsilon >= epsilon_min, and above 0
+  /// Unit wrench (force, torque over torque_scale) in whose direction the space reaches least far: what the
+  /// grasp resists worst is its opposite. Where the origin is not inside, a direction that shows it, or zero.
+  Vec6 weakest = Vec6::Zero();
 };
 
 /// Wrenches of the cone edges of one contact at unit normal force, torque about the origin and scaled as in
@@ -58,6 +61,16 @@ WrenchSpaceQuality compute_epsilon(std::span<const ContactPoint> contacts, const
 
 /// The same for plain wrenches whose L1 wrench space is their convex hull.
 WrenchSpaceQuality compute_epsilon(std::span<const Vec6> wrenches, double epsilon_min = 1e-6);
+
+/// How well a search needs to know epsilon.
+struct RoughEpsilon {
+  double at_least = 0.0;    ///< a smaller one may come out as anything in between
+  int most_expansions = 0;  ///< of the polytope; 0: as many as it takes. Each costs about 1 us
+};
+
+/// Epsilon of plain wrenches for a search, a tenth of the cost: an upper bound, no better than asked for.
+WrenchSpaceQuality estimate_epsilon(std::span<const Vec6> wrenches, double epsilon_min,
+                                    const RoughEpsilon& rough);
 
 /// Whether the origin lies inside the wrench space by at least epsilon_min; stops as soon as that is decided,
 /// which is several times cheaper than epsilon: about 0.005 ms. Where the cone is exact, an epsilon within

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The eigengrasp authors
+#pragma once
+
+#include <vector>
+
+#include "eigengrasp/grasp/collision_model.hpp"
+#include "eigengrasp/online/online_planner.hpp"
+
+namespace eigengrasp {
+
+/// The hand that the operator sees: follows the wrist, takes the posture of the offered grasp as it comes
+/// near ("as the real hand position approaches the target grasp, the fingers are gradually closed"), and is
+/// free of collision by exact meshes at every moment. Not safe to share without a lock.
+class ShownHand {
+ public:
+  ShownHand(const CollisionModel& model, const OnlineOptions& options);
+
+  /// @param offered pre-grasp to take the posture of; null: open
+  /// @param seconds since the last call: the fingers move no faster than they can. Cost: 0.1-1 ms
+  void follow(const Pose& X_OW, const Grasp* offered, double seconds);
+  /// Stands as the grasp does / as its pre-grasp does.
+  void hold(const Grasp& grasp);
+  void let_go(const Grasp& grasp);
+
+  const Pose& X_OH() const { return X_OH_; }
+  const VecX& dofs() const { return dofs_; }
+  VecX joints() const;
+  bool blocked() const { return blocked_; }
+  double preshape() const { return preshape_; }
+  const std::vector<Pose>& X_OL() const { return X_OL_; }
+
+ private:
+  bool is_free(const Pose& X_OH, const VecX& dofs);
+  bool find_free_start(const Pose& X_OW);
+  VecX towards(const VecX& wanted, double seconds) const;
+  void go_as_far_as_free(const Pose& X_OW);
+
+  const CollisionModel& model_;
+  const OnlineOptions& options_;
+  VecX open_;
+  bool placed_ = false;  ///< somewhere free
+  Pose X_OH_ = Pose::Identity();
+  VecX dofs_;
+  VecX joints_;  ///< where break-away has parted them from dofs_; else empty
+  bool blocked_ = false;
+  double preshape_ = 0.0;
+  std::vector<Pose> X_OL_;
+};
+
+}  // namespace eigengrasp
