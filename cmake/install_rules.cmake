@@ -30,6 +30,8 @@ foreach(kind hands objects)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/${kind} DESTINATION ${eigengrasp_data_folder}
           PATTERN shapes.yaml EXCLUDE)  # input of the mesh generator
 endforeach()
+# The web app, where it was built before (./run serve, or npm in the folder viewer).
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/viewer/dist/ DESTINATION ${eigengrasp_data_folder}/viewer OPTIONAL)
 
 set(eigengrasp_package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/eigengrasp)
 install(EXPORT eigengraspTargets NAMESPACE eigengrasp:: DESTINATION ${eigengrasp_package_folder})

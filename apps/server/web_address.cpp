@@ -46,7 +46,10 @@ bool is_loopback(std::string_view host) {
 }
 
 std::string_view host_of(std::string_view authority) {
-  if (authority.starts_with('[')) return authority.substr(1, std::min(authority.find(']'), authority.size()) - 1);
+  if (authority.starts_with('[')) {
+    const std::size_t end = authority.find(']');
+    return end == std::string_view::npos ? std::string_view() : authority.substr(1, end - 1);
+  }
   return authority.substr(0, std::min(authority.find(':'), authority.size()));
 }
 
