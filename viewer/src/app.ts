@@ -36,7 +36,7 @@ export class App {
   constructor(view: HTMLElement, token: string | undefined) {
     this.api.token = token;
     this.connection = new Connection(socket_url(location), token);
-    this.stage = new Stage(view);
+    this.stage = new Stage(view, new URLSearchParams(location.search).get("quality") !== "fine");
     this.bench = new Workbench(this.stage, this.models);
     this.choice.watch((choice) => remember("choice", choice));
     this.connection.state.watch((state) => {
@@ -66,12 +66,19 @@ export class App {
     const hand = this.hand(choice.hand);
     const object = this.object(choice.object);
     if (!hand || !object) return;
+    if (this.stage_shows(choice)) return;
+    this.scene.set(undefined);
     const scene: BenchScene = { hand, object, scale: choice.scale, table: choice.table };
     try {
       if (await this.bench.set_scene(scene)) this.scene.set(scene);
     } catch (problem) {
       this.report(problem);
     }
+  }
+
+  private stage_shows(choice: SceneChoice): boolean {
+    const shown = this.scene.value;
+    return shown?.hand.name === choice.hand && shown.object.name === choice.object && shown.scale === choice.scale && shown.table === choice.table;
   }
 
   report(problem: unknown): void {

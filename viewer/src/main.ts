@@ -29,6 +29,7 @@ function begin(): void {
   app.status.watch(() => {
     if (app.choice.value && app.page.value !== "replay") void app.show_scene(app.choice.value);
   });
+  app.scene.watch((scene) => { view.dataset["ready"] = String(scene !== undefined); });
   app.connection.open();
 }
 
@@ -67,7 +68,11 @@ function keep_camera(app: App): void {
     app.stage.place = place;
     app.bench.keep_view();
   }
-  app.stage.orbit.addEventListener("end", () => remember("camera", app.stage.place));
+  let rest: number | undefined;
+  app.stage.orbit.addEventListener("change", () => {
+    window.clearTimeout(rest);
+    rest = window.setTimeout(() => remember("camera", app.stage.place), 120);
+  });
 }
 
 begin();

@@ -16,6 +16,7 @@ import { shaped, wish_of_pad } from "../src/input/gamepad";
 import { wish_of_keys } from "../src/input/keyboard";
 import { add_wishes, moved, still } from "../src/input/wrist_motion";
 import { newest_at, parse_log } from "../src/log/session_log";
+import { FrameBudget } from "../src/scene/frame_budget";
 import { cone_half_angle, contact_matrix } from "../src/scene/marks";
 import type { Contact, Grasp, Pose } from "../src/wire/messages";
 import { barrett_like, glass_like, human_like, links_at, plate_like, view_at } from "./samples";
@@ -215,6 +216,17 @@ describe("logs", () => {
     const list = [0, 0.5, 0.5, 2].map((t) => ({ t }));
     for (const t of [-1, 0, 0.2, 0.5, 1, 2, 3]) expect(newest_at(list, t)).toBe(list.filter((one) => one.t <= t).length - 1);
     expect(newest_at([], 1)).toBe(-1);
+  });
+});
+
+describe("frame budget", () => {
+  it("goes down after several slow frames in a row only, and not below the last level", () => {
+    const budget = new FrameBudget(1);
+    const feed = (...costs: number[]) => costs.map((cost) => budget.add(cost)).includes(true);
+    expect(feed(100, 100, 100, 100, 100, 10, 100, 100, 100, 100, 100)).toBe(false);
+    expect(feed(100)).toBe(true);
+    expect(budget.level).toBe(1);
+    expect(feed(...Array.from({ length: 50 }, () => 500))).toBe(false);
   });
 });
 

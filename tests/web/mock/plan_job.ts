@@ -10,6 +10,7 @@ export class PlanJob {
   private readonly random: () => number;
   private readonly timer: NodeJS.Timeout;
   private readonly total: number;
+  private readonly steps: number;
   private readonly grasps: Grasp[] = [];
   private step = 0;
   private energy = 3;
@@ -19,8 +20,8 @@ export class PlanJob {
     private readonly world: World,
     private readonly order: PlanStart,
     private readonly send: (message: ServerMessage) => void,
-    private readonly steps = 24,
   ) {
+    this.steps = Math.max(24, Math.round((order.options?.iterations ?? 0) / 3000));
     this.random = random_stream(order.options?.seed ?? 1);
     this.total = order.options?.iterations ?? 70000;
     send({ type: "plan.started", id, hand: order.hand, object: order.object });

@@ -59,7 +59,7 @@ export class MockServer {
       return void (await this.upload(url, request).then((reply) => json(200, reply), (problem: Error) => json(400, { error: problem.message })));
     }
     if (/^\/api\/plans\/plan-\d+\/(grasps\.json|grasps\.csv|grasp-\d+\.glb)$/.test(url.pathname)) {
-      return void answer.writeHead(200, { "Content-Type": "application/octet-stream" }).end("{}");
+      return void answer.writeHead(200, { "Content-Type": "application/octet-stream" }).end(url.pathname.endsWith(".glb") ? this.world.model("objects", "glass") : "{}");
     }
     if (url.pathname === "/api/logs") return void json(200, { logs: [{ name: "session-1.jsonl", bytes: this.log.join("\n").length }] });
     if (url.pathname === "/api/logs/session-1.jsonl") return void answer.writeHead(200).end(this.log.join("\n"));

@@ -24,6 +24,7 @@ export class Complaints {
   private list: string[] = [];
   /** While the server is away on purpose, the browser itself complains of the lost connection. */
   server_away = false;
+  private forgiven: RegExp[] = [];
 
   constructor(page: Page) {
     page.on("console", (message) => {
@@ -33,8 +34,13 @@ export class Complaints {
     page.on("pageerror", (problem) => this.add(`exception: ${problem.stack ?? problem.message}`));
   }
 
+  /** What a scenario brings about on purpose, such as an answer of code 401. */
+  forgive(text: RegExp): void {
+    this.forgiven.push(text);
+  }
+
   take(): string[] {
-    const list = this.list;
+    const list = this.list.filter((text) => !this.forgiven.some((one) => one.test(text)));
     this.list = [];
     return list;
   }

@@ -14,6 +14,8 @@ export interface Target {
   start(): Promise<void>;
   /** Ends it at once, as when it is killed. */
   stop(): Promise<void>;
+  /** Takes away what it left on the disk. */
+  dispose(): void;
 }
 
 export async function free_port(): Promise<number> {
@@ -43,6 +45,8 @@ export class MockTarget implements Target {
   async stop(): Promise<void> {
     await this.server?.close();
   }
+
+  dispose(): void {}
 }
 
 /** The real thing: a program that is started as `PROGRAM serve --port N`. */
@@ -53,12 +57,12 @@ export class ProgramTarget implements Target {
   private child: ChildProcess | undefined;
   private output = "";
 
-  constructor(private readonly program: string, private readonly app: string, private readonly port: number, private readonly more: string[] = []) {
+  constructor(private readonly program: string, private readonly app: string, private readonly port: number, private readonly token?: string) {
     this.address = `http://127.0.0.1:${port}/`;
   }
 
   async start(): Promise<void> {
-    const words = ["serve", "--port", String(this.port), "--app", this.app, "--log", this.logs, ...this.more];
+    const words = ["serve", "--port", String(this.port), "--app", this.app, "--log", this.logs, ...(this.token ? ["--token", this.token] : [])];
     const child = spawn(this.program, words, { stdio: ["ignore", "pipe", "pipe"] });
     this.child = child;
     const keep = (text: Buffer) => { this.output = (this.output + String(text)).slice(-4000); };

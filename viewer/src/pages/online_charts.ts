@@ -22,7 +22,7 @@ export class OnlineCharts {
     });
     this.quality = new TraceChart({ x_label: "time [s]", y_label: "ε", y_floor: 0, traces: [
       { label: "offered", colour: "#3ddc97", decimals: 3, steps: true },
-      { label: "if closed now", colour: "#58a6ff", decimals: 3 }] }, pick);
+      { label: "if closed", colour: "#58a6ff", decimals: 3 }] }, pick);
     this.speed = new TraceChart(kind === "latency"
       ? { x_label: "time [s]", y_label: "latency [ms]", y_floor: 0,
         traces: [{ label: "wrist to view", colour: "#f0b429", decimals: 1, unit: "ms", points: true }] }

@@ -25,6 +25,11 @@ export class ModelLibrary {
     return this.load("objects", name);
   }
 
+  /** The server has another model under a name that is known here. */
+  forget_object(name: string): void {
+    this.kept.delete(`objects/${name}`);
+  }
+
   private load(kind: "hands" | "objects", name: string): Promise<Shapes> {
     const key = `${kind}/${name}`;
     const known = this.kept.get(key);

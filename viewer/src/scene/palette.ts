@@ -7,7 +7,7 @@ export const palette = {
   background: new Color("#12161c"),
   hand: new Color("#6a9fd8"),
   object: new Color("#e09b45"),
-  table: new Color("#343c46"),
+  table: new Color("#454e59"),
   ghost: new Color("#3ddc97"),
   pregrasp: new Color("#5aa9ff"),
   cone: new Color("#8f7bff"),

@@ -2,11 +2,12 @@
 // SPDX-FileCopyrightText: The eigengrasp authors
 import {
   DirectionalLight, Group, HemisphereLight, NeutralToneMapping, PCFShadowMap, PerspectiveCamera, PMREMGenerator,
-  Scene, Vector3, WebGLRenderer,
+  Scene, type Texture, Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { RoomEnvironment } from "three/examples/jsm/environments/RoomEnvironment.js";
 import { Topic } from "../core/signal";
+import { draws_by_software, FrameBudget, qualities, software_level, when_drawn } from "./frame_budget";
 import { palette } from "./palette";
 
 export interface CameraPlace {
@@ -24,13 +25,20 @@ export class Stage {
   readonly world = new Group();
   /** Seconds since the frame before. A listener that wants to go on calls `request`. */
   readonly frames = new Topic<number>();
-  private readonly sun = new DirectionalLight("#fff6ea", 2.1);
+  private readonly sun = new DirectionalLight("#fff6ea", 2.3);
+  private readonly levels = qualities(window.devicePixelRatio);
+  private readonly budget: FrameBudget;
+  private readonly sky = new HemisphereLight("#e4eeff", "#3c424b", 0.3);
+  private surroundings: Texture | null = null;
+  private measuring = false;
   private wanted = false;
   private last = 0;
 
-  constructor(private readonly box: HTMLElement) {
-    this.renderer = new WebGLRenderer({ antialias: true, powerPreference: "high-performance" });
-    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+  /** @param adapt draws less finely where frames take long */
+  constructor(private readonly box: HTMLElement, private readonly adapt = true) {
+    const plain = adapt && draws_by_software();
+    this.budget = new FrameBudget(this.levels.length - 1, plain ? software_level : 0);
+    this.renderer = new WebGLRenderer({ antialias: !plain, powerPreference: "high-performance" });
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
     this.renderer.toneMapping = NeutralToneMapping;
@@ -45,6 +53,7 @@ export class Stage {
     this.orbit.maxDistance = 4;
     this.orbit.addEventListener("change", () => this.request());
     this.dress();
+    this.apply_quality();
     this.scene.add(this.world);
     new ResizeObserver(() => this.fit()).observe(box);
   }
@@ -100,17 +109,15 @@ export class Stage {
   private dress(): void {
     this.scene.background = palette.background;
     const maker = new PMREMGenerator(this.renderer);
-    this.scene.environment = maker.fromScene(new RoomEnvironment(), 0.04).texture;
+    this.surroundings = maker.fromScene(new RoomEnvironment(), 0.04).texture;
     this.scene.environmentIntensity = 0.38;
     maker.dispose();
-    this.sun.castShadow = true;
-    this.sun.shadow.mapSize.set(2048, 2048);
     this.sun.shadow.radius = 5;
     this.sun.shadow.bias = -0.0004;
     this.sun.shadow.normalBias = 0.0015;
     const fill = new DirectionalLight("#9fc4ff", 0.55);
     fill.position.set(-1.2, 0.8, 0.6);
-    this.scene.add(this.sun, this.sun.target, fill, new HemisphereLight("#cfe2ff", "#1a1d22", 0.25));
+    this.scene.add(this.sun, this.sun.target, fill, this.sky);
   }
 
   private draw(now: number): void {
@@ -120,6 +127,31 @@ export class Stage {
     this.frames.emit(seconds);
     if (this.orbit.update()) this.request();
     this.renderer.render(this.scene, this.camera);
+    this.measure();
+  }
+
+  private measure(): void {
+    const gl = this.renderer.getContext();
+    if (!this.adapt || this.measuring || !(gl instanceof WebGL2RenderingContext)) return;
+    this.measuring = true;
+    when_drawn(gl, (ms) => {
+      this.measuring = false;
+      if (this.budget.add(ms)) this.apply_quality();
+    });
+  }
+
+  private apply_quality(): void {
+    const { pixel_ratio, shadow_size, surroundings } = this.levels[this.budget.level]!;
+    this.renderer.setPixelRatio(pixel_ratio);
+    this.sun.castShadow = shadow_size > 0;
+    this.scene.environment = surroundings ? this.surroundings : null;
+    this.sky.intensity = surroundings ? 0.3 : 2.2;
+    if (shadow_size > 0) {
+      this.sun.shadow.mapSize.set(shadow_size, shadow_size);
+      this.sun.shadow.map?.dispose();
+      this.sun.shadow.map = null;
+    }
+    this.request();
   }
 
   private fit(): void {

@@ -26,7 +26,7 @@ export class Thumbnails {
     const sun = new DirectionalLight("#fff6ea", 2.4);
     sun.position.set(0.6, -0.7, 1.2);
     this.scene.background = new Color("#0d1117");
-    this.scene.add(sun, new HemisphereLight("#dcebff", "#30343c", 1.1), this.hand);
+    this.scene.add(sun, new HemisphereLight("#dcebff", "#4a505a", 2.2), this.hand);
     this.camera.up.set(0, 0, 1);
   }
 

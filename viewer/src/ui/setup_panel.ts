@@ -56,6 +56,8 @@ function object_section(app: App, change: Change): HTMLElement {
     set_text(note, `Loading ${file.name} …`);
     try {
       const reply = await app.api.upload(file, unit.value as Units);
+      app.models.forget_object(reply.name);
+      app.scene.set(undefined);
       await app.refresh();
       change({ object: reply.name, scale: 1 });
       set_text(note, reply.warnings.join(" ") || `Loaded ${reply.name}.`);
