@@ -5,7 +5,7 @@ import { readFileSync } from "node:fs";
 import { Ajv2020 } from "ajv/dist/2020.js";
 import { describe, expect, it } from "vitest";
 import { home_pose } from "../src/core/home_pose";
-import { next_plan } from "../src/core/plan_state";
+import { next_plan, trace_rows } from "../src/core/plan_state";
 import { Recorder } from "../src/log/recorder";
 import { parse_log } from "../src/log/session_log";
 import { reconnect_delay } from "../src/wire/backoff";
@@ -130,6 +130,14 @@ describe("a plan", () => {
     expect(plan?.trace).toEqual([{ iteration: 500, energy: 1 }]);
     expect(plan?.iterations).toBe(500);
     expect(plan?.running).toBe(true);
+  });
+});
+
+describe("the trace of a plan", () => {
+  it("merges progress and best states; the best so far never rises", () => {
+    const rows = trace_rows([{ iteration: 10, energy: 5 }, { iteration: 30, energy: 7 }], [{ iteration: 20, energy: 4 }, { iteration: 30, energy: 3 }]);
+    expect(rows).toEqual([{ iteration: 10, now: 5, best: 5, state: null }, { iteration: 20, now: null, best: 4, state: 4 },
+      { iteration: 30, now: 7, best: 3, state: 3 }]);
   });
 });
 

@@ -9,11 +9,12 @@ export async function load(stage: Stage): Promise<void> {
   expect((await page.locator("#objects button").count()) >= 6, "all objects of the server are listed");
   expect((await page.locator("#hand option").count()) >= 4, "all hands of the server are listed");
   await stage.shot("1280");
-  const first = await stage.view_picture();
-  for (const object of ["shoe", "ashtray"]) {
+  let before = await stage.picture_at_rest();
+  for (const object of ["shoe", "glass"]) {
     await page.click(`[data-object="${object}"]`);
     await stage.settled();
-    await eventually(async () => (await stage.changed(first, await stage.view_picture())) > 0.01, `the ${object} is shown`);
+    await eventually(async () => (await stage.changed(before, await stage.view_picture())) > 0.01, `the ${object} is shown`);
+    before = await stage.picture_at_rest();
     await stage.shot(object);
   }
   await page.selectOption("#hand", "barrett-metal");
@@ -35,22 +36,21 @@ export async function load(stage: Stage): Promise<void> {
 export async function orbit(stage: Stage): Promise<void> {
   const { page } = stage;
   await stage.go();
-  const before = await stage.view_picture();
+  const before = await stage.picture_at_rest();
   const box = (await page.locator(".view canvas").boundingBox())!;
   await page.mouse.move(box.x + box.width * 0.3, box.y + box.height * 0.6);
   await page.mouse.down();
   await page.mouse.move(box.x + box.width * 0.6, box.y + box.height * 0.5, { steps: 6 });
   await page.mouse.up();
-  await page.waitForTimeout(600);
-  const turned = await stage.view_picture();
+  const turned = await stage.picture_at_rest();
+  await page.waitForTimeout(300);
   expect((await stage.changed(before, turned)) > 0.03, "dragging turns the view");
   await stage.shot("turned");
   await page.reload();
   await stage.settled();
-  expect((await stage.changed(turned, await stage.view_picture())) < 0.01, "the view is the same after a reload");
+  expect((await stage.changed(turned, await stage.picture_at_rest())) < 0.01, "the view is the same after a reload");
   await page.click("#view-home");
-  await page.waitForTimeout(600);
-  expect((await stage.changed(before, await stage.view_picture())) < 0.01, "Home goes back to the first view");
+  expect((await stage.changed(before, await stage.picture_at_rest())) < 0.01, "Home goes back to the first view");
 }
 
 /** A box of 40 x 60 x 100 mm, as text of a Wavefront file in millimetres. */

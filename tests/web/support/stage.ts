@@ -108,6 +108,18 @@ export class Stage {
     return this.page.locator(".view canvas").screenshot();
   }
 
+  /** The 3-D view once it stands still. */
+  async picture_at_rest(): Promise<Buffer> {
+    let last = await this.view_picture();
+    for (let attempt = 0; attempt < 40; ++attempt) {
+      await this.page.waitForTimeout(200);
+      const next = await this.view_picture();
+      if ((await this.changed(last, next)) < 0.0005) return next;
+      last = next;
+    }
+    throw new Error("the 3-D view does not come to rest");
+  }
+
   async close(): Promise<void> {
     await this.context.close();
   }

@@ -10,6 +10,8 @@ export interface TraceStyle {
   unit?: string;
   steps?: boolean;
   points?: boolean;
+  /** Points alone, no line. */
+  dots?: boolean;
   decimals?: number;
   fill?: boolean;
 }
@@ -94,10 +96,10 @@ function chart_series(trace: TraceStyle): uPlot.Series {
     stroke: trace.colour,
     width: 1.6,
     spanGaps: true,
-    points: { show: trace.points ?? false, size: 5, fill: trace.colour },
+    points: { show: trace.points ?? trace.dots ?? false, size: trace.dots ? 6 : 5, fill: trace.colour },
     value: (_plot, value: number | null) =>
       value === null ? "–" : `${value.toFixed(trace.decimals ?? 2)}${trace.unit ? " " + trace.unit : ""}`,
-    ...(stepped ? { paths: stepped } : {}),
+    ...(trace.dots ? { paths: () => null } : stepped ? { paths: stepped } : {}),
     ...(trace.fill ? { fill: trace.colour + "22" } : {}),
   };
 }

@@ -48,6 +48,28 @@ export function next_plan(state: PlanState | undefined, message: ServerMessage, 
   }
 }
 
+export interface TraceRow {
+  iteration: number;
+  /** Best of the chains that run then; the staged search begins new ones on the way. */
+  now: number | null;
+  /** Best of all until then. */
+  best: number;
+  /** A best state that was sent. */
+  state: number | null;
+}
+
+/** Progress and best states, merged in the order of their iterations. */
+export function trace_rows(trace: readonly TracePoint[], states: readonly TracePoint[]): TraceRow[] {
+  const rows = new Map<number, { now: number | null; state: number | null }>();
+  for (const { iteration, energy } of trace) rows.set(iteration, { now: energy, state: null });
+  for (const { iteration, energy } of states) rows.set(iteration, { now: rows.get(iteration)?.now ?? null, state: energy });
+  let best = Infinity;
+  return [...rows].sort((a, b) => a[0] - b[0]).map(([iteration, { now, state }]) => {
+    best = Math.min(best, now ?? Infinity, state ?? Infinity);
+    return { iteration, now, best, state };
+  });
+}
+
 /** The link broke, or the server began anew: the plan is not going on. */
 export function broken_plan(state: PlanState | undefined): PlanState | undefined {
   return state?.running ? { ...state, running: false } : state;

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The eigengrasp authors
 import { TraceChart } from "../charts/trace_chart";
 import { short_count } from "../core/format";
-import type { PlanState } from "../core/plan_state";
+import { type PlanState, trace_rows } from "../core/plan_state";
 import { h, set_text, toggle } from "../ui/dom";
 
 /** Energy over iterations with the best states as dots, and a slider through those (Fig. 2 of the paper). */
@@ -11,8 +11,9 @@ export class PlanCharts {
   private readonly chart = new TraceChart({
     x_label: "iteration", y_label: "energy", x_format: (value) => short_count(value),
     traces: [
-      { label: "best energy", colour: "#58a6ff", steps: true, decimals: 4, fill: true },
-      { label: "best states", colour: "#e0a458", points: true, decimals: 4 },
+      { label: "chains now", colour: "#5d6b7b", steps: true, decimals: 3 },
+      { label: "best so far", colour: "#58a6ff", steps: true, decimals: 3, fill: true },
+      { label: "best states", colour: "#e0a458", dots: true, decimals: 3 },
     ],
   }, (index) => this.pick_near(index));
   private readonly slider = h("input", { type: "range", id: "milestones", min: 0, max: 0, step: 1, "aria-label": "Best states",
@@ -37,13 +38,10 @@ export class PlanCharts {
 
   show(plan: PlanState | undefined, milestone: number | undefined): void {
     const states = plan?.milestones ?? [];
-    const by_iteration = new Map<number, [number | null, number | null]>();
-    for (const { iteration, energy } of plan?.trace ?? []) by_iteration.set(iteration, [energy, null]);
-    for (const { iteration, energy } of states) by_iteration.set(iteration, [by_iteration.get(iteration)?.[0] ?? energy, energy]);
-    const rows = [...by_iteration].sort((a, b) => a[0] - b[0]);
-    this.x = rows.map(([iteration]) => iteration);
+    const rows = trace_rows(plan?.trace ?? [], states);
+    this.x = rows.map((row) => row.iteration);
     this.places = states.map((state) => state.iteration);
-    this.chart.set_data(this.x, rows.map(([, row]) => row[0]), rows.map(([, row]) => row[1]));
+    this.chart.set_data(this.x, rows.map((row) => row.now), rows.map((row) => row.best), rows.map((row) => row.state));
     this.count = states.length;
     toggle(this.strip, states.length > 0);
     this.slider.max = String(Math.max(0, states.length - 1));

@@ -3,7 +3,7 @@
 import type { App } from "../app";
 import { duration, fixed, short_count } from "../core/format";
 import { home_pose, open_hand } from "../core/home_pose";
-import { broken_plan, compact_plan, next_plan, type PlanState } from "../core/plan_state";
+import { broken_plan, compact_plan, next_plan, type PlanState, trace_rows } from "../core/plan_state";
 import { forget, recall, remember } from "../core/session_state";
 import type { BenchScene } from "../scene/workbench";
 import { h, set_text, toggle } from "../ui/dom";
@@ -157,7 +157,7 @@ export class PlanPage implements Page {
 
   private show_figures(): void {
     const plan = this.plan;
-    const best = plan?.milestones[plan.milestones.length - 1]?.energy ?? plan?.trace[plan.trace.length - 1]?.energy;
+    const best = plan && trace_rows(plan.trace, plan.milestones).at(-1)?.best;
     const done = plan?.result ? plan.result.counts.states : plan?.iterations;
     this.figures.set({ iterations: plan ? `${short_count(done)} / ${short_count(plan.total || done)}` : "–", best: fixed(best, 4),
       time: duration(plan?.seconds), closed: plan?.result ? `${plan.result.counts.form_closed} of ${plan.result.counts.tested}` : "–" });

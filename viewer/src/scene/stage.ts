@@ -47,7 +47,7 @@ export class Stage {
     box.append(this.renderer.domElement);
     this.camera.up.set(0, 0, 1);
     this.orbit = new OrbitControls(this.camera, this.renderer.domElement);
-    this.orbit.enableDamping = true;
+    this.orbit.enableDamping = !plain;
     this.orbit.dampingFactor = 0.15;
     this.orbit.minDistance = 0.08;
     this.orbit.maxDistance = 4;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
-import { NeutralToneMapping, Color, DirectionalLight, HemisphereLight, Mesh, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from "three";
+import { Box3, Color, NeutralToneMapping, DirectionalLight, HemisphereLight, Mesh, PerspectiveCamera, Scene, Sphere, Vector3, WebGLRenderer } from "three";
 import type { LinkPoses } from "../wire/messages";
 import { HandFigure, object_mesh } from "./figures";
 import type { ModelLibrary } from "./models";
@@ -78,13 +78,16 @@ export class Thumbnails {
   private aim(poses: LinkPoses): void {
     const { object, scale } = this.bench!;
     const center = new Vector3(...object.center).multiplyScalar(scale);
-    const base = new Vector3(poses[0][0], poses[0][1], poses[0][2]).sub(center);
-    const flat = new Vector3(base.x, base.y, 0);
-    const side = flat.length() > 0.02 ? new Vector3(-flat.y, flat.x, 0).normalize() : new Vector3(0.6, -0.8, 0);
+    const base = new Vector3(poses[0][0], poses[0][1], poses[0][2]);
+    const half = new Vector3(...object.size).multiplyScalar(scale / 2);
+    const box = new Box3().expandByPoint(center.clone().add(half)).expandByPoint(center.clone().sub(half));
+    for (const link of poses) box.expandByPoint(new Vector3(link[0], link[1], link[2]));
+    const { center: middle, radius } = box.getBoundingSphere(new Sphere());
+    const way = new Vector3(base.x - center.x, base.y - center.y, 0);
+    const side = way.length() > 0.02 ? new Vector3(-way.y, way.x, 0).normalize() : new Vector3(0.6, -0.8, 0);
     if (side.y > 0) side.negate();
-    const middle = center.clone().addScaledVector(base, 0.35);
-    const radius = 0.62 * (base.length() + Math.max(...object.size) * scale);
-    this.camera.position.copy(middle).addScaledVector(side.setZ(0.45).normalize(), radius / Math.sin((15 * Math.PI) / 180) * 0.82);
+    const away = (radius * 1.05 + 0.02) / Math.sin((this.camera.fov * Math.PI) / 360);
+    this.camera.position.copy(middle).addScaledVector(side.setZ(0.45).normalize(), away);
     this.camera.lookAt(middle);
   }
 
