@@ -13,6 +13,7 @@ import { parse_hash } from "../src/core/route";
 import { SenderClock, Spread } from "../src/core/sender_clock";
 import { Signal } from "../src/core/signal";
 import { shaped, wish_of_pad } from "../src/input/gamepad";
+import { Glide } from "../src/input/glide";
 import { wish_of_keys } from "../src/input/keyboard";
 import { add_wishes, moved, still } from "../src/input/wrist_motion";
 import { newest_at, parse_log } from "../src/log/session_log";
@@ -116,6 +117,23 @@ describe("moving the wrist", () => {
 
   it("two devices together do not exceed one", () => {
     expect(add_wishes({ ...still, up: 0.8 }, { ...still, up: 0.8 }).up).toBe(1);
+  });
+});
+
+describe("gliding", () => {
+  it("goes straight and evenly, and ends exactly at the goal", () => {
+    const glide = new Glide();
+    glide.begin([0.12, 0, 0, 1, 0, 0, 0]);
+    let place: Pose = [0, 0, 0, 1, 0, 0, 0];
+    const steps: number[] = [];
+    while (glide.running && steps.length < 1000) {
+      const next = glide.next(place, 0.05);
+      steps.push(next[0] - place[0]);
+      place = next;
+    }
+    expect(place).toEqual([0.12, 0, 0, 1, 0, 0, 0]);
+    expect(Math.max(...steps) - Math.min(...steps.slice(0, -1))).toBeLessThan(1e-9);
+    expect(steps.length).toBeGreaterThan(10);
   });
 });
 

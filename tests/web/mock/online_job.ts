@@ -59,6 +59,13 @@ export class OnlineJob {
     this.show();
   }
 
+  /** From the wrist to the offered grasp along the approach. */
+  private ahead(axis: Vector3): number {
+    const there = this.offer?.grasp.closing[0][0];
+    const here = this.wrist?.pose;
+    return there && here ? axis.dot(new Vector3(there[0] - here[0], there[1] - here[1], there[2] - here[2])) : 0;
+  }
+
   private apart(a: Wrist, b: Wrist): number {
     return Math.hypot(a.pose[0] - b.pose[0], a.pose[1] - b.pose[1], a.pose[2] - b.pose[2]);
   }
@@ -84,7 +91,7 @@ export class OnlineJob {
     const time = (performance.now() - this.began) / 1e3;
     const apex = X_OH ? hand.approach.point.clone().applyMatrix4(X_OH) : new Vector3();
     const axis = X_OH ? hand.approach.direction.clone().transformDirection(X_OH) : new Vector3(0, 0, 1);
-    const solutions = this.offer ? [{ id: this.offer.id, epsilon: this.offer.grasp.epsilon, distance: 0.06, angle: 0.1, offset: 0.004, age: 0.5 }] : [];
+    const solutions = this.offer ? [{ id: this.offer.id, epsilon: this.offer.grasp.epsilon, distance: this.ahead(axis), angle: 0.1, offset: 0.004, age: 0.5 }] : [];
     const view: View = {
       type: "view", frame: ++this.frame, time, phase: this.held ? "holding" : this.wrist ? "approach" : "waiting", blocked: false,
       ...(this.wrist ? { wrist: { time: this.wrist.time, pose: this.wrist.pose } } : {}),

@@ -55,6 +55,7 @@ export async function drag(stage: Stage): Promise<void> {
 export async function keyboard(stage: Stage): Promise<void> {
   await begin(stage);
   const before = stage.wire.wrist;
+  expect(await stage.page.locator("#do-lift").isDisabled(), "what is not held cannot be lifted");
   await stage.page.keyboard.down("KeyR");
   await stage.page.waitForTimeout(500);
   await stage.page.keyboard.up("KeyR");
@@ -93,7 +94,9 @@ export async function grasp_and_lift(stage: Stage): Promise<void> {
   await page.click("#do-close");
   await eventually(() => stage.wire.view?.phase === "holding", "the hand is closed");
   await page.waitForTimeout(600);
-  expect((await stage.text("#closed")).includes("ε"), "what was grasped is told");
+  const told = await stage.text("#closed");
+  expect(Number.parseFloat(told.split("ε")[1] ?? "0") > 0, `a grasp that holds was made: ${told}`);
+  expect(!(await page.locator("#do-lift").isDisabled()), "and can be lifted");
   await stage.shot("closed");
   const low = await stage.view_picture();
   await page.keyboard.press("KeyL");
@@ -105,22 +108,15 @@ export async function grasp_and_lift(stage: Stage): Promise<void> {
   await stage.shot("opened");
 }
 
-/** Goes to the offered grasp, as an operator would: straight on, until closing would hold. */
+/** Lets the wrist glide to the offered pre-grasp, again where another one is offered on the way, until closing would hold. */
 async function approach(stage: Stage): Promise<void> {
   const { page, wire } = stage;
-  for (let step = 0; step < 60; ++step) {
-    const { view } = wire;
-    if (view && view.epsilon_now !== undefined && view.epsilon_now > 0.01 && (view.solutions[0]?.distance ?? 1) < 0.012) return;
-    const toward = (wire.view?.cone.axis ?? [0, 0, 0]) as [number, number, number];
-    const key = Math.abs(toward[2]) > 0.9 ? (toward[2] < 0 ? "KeyF" : "KeyR") : toward[0] < 0 ? "KeyA" : "KeyD";
-    await page.keyboard.down("ShiftLeft");
-    await page.keyboard.down(key);
-    await page.waitForTimeout(120);
-    await page.keyboard.up(key);
-    await page.keyboard.up("ShiftLeft");
-    await page.waitForTimeout(120);
-    if (wire.view?.blocked) return;
+  const there = () => (wire.view?.epsilon_now ?? -1) > 0 && Math.abs(wire.view?.solutions[0]?.distance ?? 1) < 0.005;
+  for (let attempt = 0; attempt < 8 && !there(); ++attempt) {
+    await page.keyboard.press("KeyT");
+    await page.waitForTimeout(2500);
   }
+  expect(there(), "the wrist is at the offered grasp, and closing would hold");
 }
 
 export async function reload(stage: Stage): Promise<void> {

@@ -12,3 +12,9 @@ export function padded_range(low: number | null, high: number | null, floor?: nu
   const air = (to - from) * 0.08;
   return [from === floor ? from : from - air, to + air];
 }
+
+/** From the first to the last, and at least so far. */
+export function spanned_range(low: number | null, high: number | null, span = 0): [number, number] {
+  const from = low ?? 0;
+  return [from, Math.max(high ?? 1, from + (span || 1e-9))];
+}

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The eigengrasp authors
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
-import { padded_range } from "./range";
+import { padded_range, spanned_range } from "./range";
 
 export interface TraceStyle {
   label: string;
@@ -21,6 +21,8 @@ export interface ChartStyle {
   x_decimals?: number;
   y_label: string;
   traces: TraceStyle[];
+  /** The horizontal axis is at least so long. */
+  x_span?: number;
   /** The vertical axis always holds this value. */
   y_floor?: number;
   x_format?: (value: number) => string;
@@ -75,7 +77,7 @@ function chart_options(style: ChartStyle): uPlot.Options {
     height: 120,
     legend: { live: true },
     cursor: { drag: { x: false, y: false }, points: { size: 6 } },
-    scales: { x: { time: false }, y: { range: (_plot, low, high) => padded_range(low, high, style.y_floor) } },
+    scales: { x: { time: false, range: (_plot, low, high) => spanned_range(low, high, style.x_span) }, y: { range: (_plot, low, high) => padded_range(low, high, style.y_floor) } },
     axes: [
       { stroke: ink, grid, ticks: grid, font, size: 30, gap: 3, label: style.x_label, labelSize: 14, labelFont: font,
         labelGap: -2, values: (_plot, ticks) => ticks.map((tick) => x_format(tick)) },

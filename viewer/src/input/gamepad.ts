@@ -5,7 +5,7 @@ import { type Wish, still } from "./wrist_motion";
 
 const dead_zone = 0.12;
 /** Buttons of the standard layout. */
-const buttons: readonly (readonly [number, Action])[] = [[0, "close"], [1, "open"], [2, "lift"], [3, "forget"], [9, "home"]];
+const buttons: readonly (readonly [number, Action])[] = [[0, "close"], [1, "open"], [2, "lift"], [3, "forget"], [8, "offer"], [9, "home"]];
 
 export interface PadState {
   axes: readonly number[];

@@ -2,13 +2,13 @@
 // SPDX-FileCopyrightText: The eigengrasp authors
 import { type Wish, still } from "./wrist_motion";
 
-export type Action = "close" | "lift" | "open" | "forget" | "gizmo" | "home";
+export type Action = "close" | "lift" | "open" | "forget" | "gizmo" | "home" | "offer";
 
 const motions: Record<string, [keyof Wish, number]> = {
   KeyW: ["ahead", 1], KeyS: ["ahead", -1], KeyD: ["right", 1], KeyA: ["right", -1], KeyR: ["up", 1], KeyF: ["up", -1],
   ArrowLeft: ["yaw", 1], ArrowRight: ["yaw", -1], ArrowUp: ["pitch", 1], ArrowDown: ["pitch", -1], KeyQ: ["roll", -1], KeyE: ["roll", 1],
 };
-const actions: Record<string, Action> = { KeyC: "close", KeyL: "lift", KeyO: "open", KeyX: "forget", KeyG: "gizmo", KeyH: "home" };
+const actions: Record<string, Action> = { KeyC: "close", KeyL: "lift", KeyO: "open", KeyX: "forget", KeyG: "gizmo", KeyH: "home", KeyT: "offer" };
 
 /** What is asked for by keys that are held; a quarter of the speed with Shift. */
 export function wish_of_keys(held: ReadonlySet<string>): Wish {

@@ -6,14 +6,15 @@ import { duration, fixed } from "../core/format";
 import { History, sample_of } from "../core/history";
 import { home_pose } from "../core/home_pose";
 import { Gamepads } from "../input/gamepad";
+import { Glide } from "../input/glide";
 import { type Action, Keyboard } from "../input/keyboard";
 import { add_wishes, is_still, moved, still } from "../input/wrist_motion";
 import { type GhostKind, ViewPlayer } from "../scene/view_player";
 import { WristGizmo } from "../scene/wrist_gizmo";
-import { h, set_text, toggle } from "../ui/dom";
+import { h, set_text } from "../ui/dom";
 import { field, Figures, options_of, save_file, section, tick } from "../ui/parts";
 import { ViewFigures } from "../ui/view_figures";
-import type { Closed, View } from "../wire/messages";
+import type { Closed, Pose, View } from "../wire/messages";
 import { key_help } from "./key_help";
 import { Lift } from "./lift";
 import { OnlineCharts } from "./online_charts";
@@ -31,6 +32,7 @@ export class InteractivePage implements Page {
   private readonly gizmo: WristGizmo;
   private readonly lifting: Lift;
   private readonly gamepads = new Gamepads((action) => this.act(action));
+  private readonly glide = new Glide();
   private readonly history = new History();
   private readonly figures = new ViewFigures();
   private readonly chart = new OnlineCharts("latency");
@@ -39,6 +41,7 @@ export class InteractivePage implements Page {
     close: this.button("close", "Close", "C", "main grow"), lift: this.button("lift", "Lift", "L", "grow"),
     open: this.button("open", "Open", "O", "grow"),
   };
+  private readonly to_offer = this.button("offer", "Go to offer", "T", "");
   private readonly closed_text = h("p", { class: "note", id: "closed" });
   private readonly record = h("button", { type: "button", id: "record", onclick: () => this.toggle_recording() }, "Record");
   private readonly recorded = h("small", { class: "note", style: "margin:0" });
@@ -91,28 +94,40 @@ export class InteractivePage implements Page {
     const scene = this.app.scene.value;
     const can_act = this.session.stage.value === "on";
     if (action === "gizmo") this.set_gizmo(!this.gizmo.turns);
-    else if (action === "home" && scene && can_act && !this.holding) this.session.move(home_pose(scene.hand, scene.object, scene.scale));
     else if (!can_act) return;
+    else if (action === "home" && scene && !this.holding) this.go_to(home_pose(scene.hand, scene.object, scene.scale));
+    else if (action === "offer" && this.session.view?.offer) this.go_to(this.session.view.offer.pregrasp[0]);
     else if (action === "close" && !this.holding) this.session.command("close");
     else if (action === "open") this.lifting.lower(() => this.session.command("open"));
     else if (action === "forget") this.session.command("forget");
-    else if (action === "lift" && this.holding) this.lifting.toggle();
+    else if (action === "lift" && this.holds) this.lifting.toggle();
+  }
+
+  private go_to(pose: Pose): void {
+    this.glide.begin(pose);
+    this.app.stage.request();
+  }
+
+  /** The hand is closed, and the grasp withstands any disturbance: it can be lifted. */
+  private get holds(): boolean {
+    return this.holding && this.session.closed.value?.grasp?.form_closure === true;
   }
 
   private get holding(): boolean {
     return this.session.view?.phase === "holding";
   }
 
-  /** Held keys and sticks move the wrist; both ask for the next frame. */
+  /** Held keys and sticks move the wrist, or it glides to a place; each asks for the next frame. */
   private frame(seconds: number): void {
     this.lifting.advance(seconds);
     const pad = this.gamepads.read();
     const wish = add_wishes(this.keyboard?.wish ?? still, pad ?? still);
     if (pad) this.app.stage.request();
-    if (is_still(wish) || !this.session.wrist || this.holding || this.gizmo.dragging) return;
+    if (!is_still(wish) || this.gizmo.dragging || this.holding) this.glide.end();
+    if ((is_still(wish) && !this.glide.running) || !this.session.wrist || this.holding || this.gizmo.dragging) return;
     this.app.stage.request();
     const direction = this.app.stage.camera.getWorldDirection(new Vector3());
-    this.session.move(moved(this.session.wrist, wish, direction, seconds));
+    this.session.move(this.glide.running ? this.glide.next(this.session.wrist, seconds) : moved(this.session.wrist, wish, direction, seconds));
     this.gizmo.place(this.session.wrist);
   }
 
@@ -156,7 +171,8 @@ export class InteractivePage implements Page {
   private show_buttons(): void {
     const on = this.session.stage.value === "on";
     this.buttons.close.disabled = !on || this.holding;
-    this.buttons.lift.disabled = !on || !this.holding || !this.session.closed.value?.grasp;
+    this.buttons.lift.disabled = !on || !this.holds;
+    this.to_offer.disabled = !on || this.holding || !this.session.view?.offer;
     this.buttons.open.disabled = !on || !this.holding;
     set_text(this.buttons.lift.firstChild as Element, this.lifting.up ? "Put down" : "Lift");
     this.record.disabled = !on && !this.session.recorder.running;
@@ -190,14 +206,13 @@ export class InteractivePage implements Page {
       if (this.session.view) this.player.show(this.session.view);
     });
     this.set_gizmo(false);
-    const closed_row = this.closed_text;
-    toggle(closed_row, true);
     return h("div", {},
-      section("Hand", h("div", { class: "row" }, this.buttons.close, this.buttons.lift, this.buttons.open), closed_row),
-      ...this.figures.sections,
+      section("Hand", h("div", { class: "row" }, this.buttons.close, this.buttons.lift, this.buttons.open), this.closed_text),
+      this.figures.offer,
       section("Link", this.link.element, h("div", { class: "row", style: "margin-top:10px" }, this.record, this.recorded)),
+      this.figures.solutions,
       section("Show", field("Ghost", ghost), cone),
       section("Move the wrist", h("div", { class: "row" }, ...this.modes,
-        h("button", { type: "button", id: "wrist-home", onclick: () => this.act("home") }, "Start place", h("kbd", {}, "H"))), key_help()));
+        this.button("home", "Start", "H", ""), this.to_offer), key_help()));
   }
 }

@@ -12,5 +12,5 @@ export function key_help(): HTMLElement {
   const cells = keys.flatMap(([names, text]) => [
     h("span", {}, ...names.split(" ").flatMap((name) => [h("kbd", {}, name), " "])), h("span", {}, text)]);
   return h("div", {}, h("div", { class: "keys", style: "margin-top:10px" }, ...cells),
-    h("p", { class: "note" }, "Gamepad: left stick and triggers move, right stick and shoulders turn; A closes, B opens, X lifts. A tracker moves the wrist through the server."));
+    h("p", { class: "note" }, "Gamepad: left stick and triggers move, right stick and shoulders turn; A closes, B opens, X lifts, Back goes to the offer. A tracker moves the wrist through the server."));
 }

@@ -20,13 +20,13 @@ export class OnlineCharts {
       const time = this.times[index];
       if (time !== undefined) on_pick(time);
     });
-    this.quality = new TraceChart({ x_label: "time [s]", y_label: "ε", y_floor: 0, traces: [
+    this.quality = new TraceChart({ x_label: "time [s]", x_span: 4, y_label: "ε", y_floor: 0, traces: [
       { label: "offered", colour: "#3ddc97", decimals: 3, steps: true },
       { label: "if closed", colour: "#58a6ff", decimals: 3 }] }, pick);
     this.speed = new TraceChart(kind === "latency"
-      ? { x_label: "time [s]", y_label: "latency [ms]", y_floor: 0,
+      ? { x_label: "time [s]", x_span: 4, y_label: "latency [ms]", y_floor: 0,
         traces: [{ label: "wrist to view", colour: "#f0b429", decimals: 1, unit: "ms", points: true }] }
-      : { x_label: "time [s]", y_label: "postures/s", y_floor: 0, y_format: short_count,
+      : { x_label: "time [s]", x_span: 4, y_label: "postures/s", y_floor: 0, y_format: short_count,
         traces: [{ label: "postures a second", colour: "#8f7bff", decimals: 0 }] }, pick);
     this.element = h("div", { class: "page-charts" }, h("div", { class: "chart-box" }, this.quality.element),
       h("div", { class: "chart-box" }, this.speed.element));

@@ -45,7 +45,7 @@ export class ReplayPage implements Page {
     this.player = new ViewPlayer(app.bench);
     const timeline = section("Timeline", h("div", { class: "row" }, this.play, this.clock), h("div", { class: "row" }, this.slider),
       field("Speed", this.speed), this.events);
-    this.loaded = [timeline, ...this.figures.sections];
+    this.loaded = [timeline, this.figures.offer, this.figures.solutions];
     this.panel = h("div", {}, section("Log", drop_area("Drop a session log here, or choose a file", ".jsonl,.json,.ndjson", (file) => {
       file.text().then((text) => this.load(text, file.name), (problem: unknown) => this.app.report(problem));
     }), this.note, this.about.element), this.kept_section, ...this.loaded);

@@ -87,6 +87,12 @@ export class Stage {
     this.request();
   }
 
+  raise_view(by: number): void {
+    if (by === 0) return;
+    this.camera.position.z += by;
+    this.orbit.target.z += by;
+  }
+
   get place(): CameraPlace {
     return { position: this.camera.position.toArray(), target: this.orbit.target.toArray() };
   }

@@ -33,7 +33,7 @@ export class ViewPlayer {
     if (view.phase === "waiting") return;
     if (jump) this.hand.jump(view.link_poses);
     else this.hand.aim(view.link_poses);
-    this.bench.warn(view.blocked);
+    this.bench.warn(view.blocked && view.phase === "approach");
     this.aim_ghost(view, jump);
     this.bench.cone.visible = this.cone && view.phase === "approach";
     if (this.bench.cone.visible) this.bench.cone.show(view.cone);

@@ -89,8 +89,9 @@ export class Workbench {
     this.hand_look.color.copy(blocked ? palette.blocked : palette.hand);
   }
 
-  /** How far the object, with the hand that holds it, stands above its place [m]. */
+  /** How far the object, with the hand that holds it, stands above its place [m]. The view goes along. */
   lift(height: number): void {
+    this.stage.raise_view((height - this.stage.world.position.z) * 0.75);
     this.stage.world.position.z = height;
     this.stage.request();
   }
@@ -128,7 +129,11 @@ export class Workbench {
     if (!this.shown) return;
     const { hand, object, scale } = this.shown;
     const box = new Box3();
-    for (const link of open_hand(hand, home_pose(hand, object, scale))) box.expandByPoint(new Vector3(link[0], link[1], link[2]));
+    const links = open_hand(hand, home_pose(hand, object, scale));
+    for (const link of links) box.expandByPoint(new Vector3(link[0], link[1], link[2]));
+    const palm = new Vector3(links[0][0], links[0][1], links[0][2]);
+    const wrist = palm.clone().addScaledVector(palm.clone().sub(this.center).normalize(), 0.06);
+    box.expandByPoint(wrist);
     const half = new Vector3(...object.size).multiplyScalar(scale / 2);
     box.expandByPoint(this.center.add(half)).expandByPoint(this.center.sub(half));
     const ball = box.getBoundingSphere(new Sphere());

@@ -9,7 +9,8 @@ const phases = { waiting: "waiting for the wrist", approach: "approach", holding
 
 /** The figures of a view of the online planner. */
 export class ViewFigures {
-  readonly sections: HTMLElement[];
+  readonly offer: HTMLElement;
+  readonly solutions: HTMLElement;
   private readonly offered = new BigFigure("ε offered", "offered");
   private readonly closing = new BigFigure("ε if closed now", "now");
   private readonly figures = new Figures({ phase: "Phase", preshape: "Preshape", first: "First grasp after",
@@ -20,10 +21,8 @@ export class ViewFigures {
   constructor() {
     this.figures.element.style.marginTop = "10px";
     const heads = ["id", "ε", "ahead", "angle", "aside", "age"].map((name) => h("th", {}, name));
-    this.sections = [
-      section("Offer", h("div", { class: "big" }, this.offered.element, this.closing.element), this.figures.element),
-      section("Solutions", h("table", { id: "solutions" }, h("thead", {}, h("tr", {}, ...heads)), this.rows)),
-    ];
+    this.offer = section("Offer", h("div", { class: "big" }, this.offered.element, this.closing.element), this.figures.element);
+    this.solutions = section("Solutions", h("table", { id: "solutions" }, h("thead", {}, h("tr", {}, ...heads)), this.rows));
   }
 
   show(view: View | undefined): void {
@@ -32,7 +31,7 @@ export class ViewFigures {
     const now = view?.epsilon_now;
     this.closing.set(now !== undefined && now < 0 ? "no hold" : fixed(now, 3), now === undefined ? "" : now > 0 ? "good" : "bad");
     this.figures.set({
-      phase: view ? phases[view.phase] + (view.blocked ? ", blocked" : "") : "–",
+      phase: view ? phases[view.phase] + (view.blocked && view.phase === "approach" ? ", blocked" : "") : "–",
       preshape: view ? `${fixed(view.preshape * 100, 0)} %` : "–",
       first: view && view.rates.time_to_first_grasp > 0 ? duration(view.rates.time_to_first_grasp) : "–",
       postures: short_count(view && Math.round(view.rates.postures_per_second)),
@@ -43,7 +42,7 @@ export class ViewFigures {
   }
 
   private list(solutions: readonly Solution[], offered: number | undefined): void {
-    const rows = solutions.slice(0, 10).map((one) => [String(one.id), fixed(one.epsilon, 3), millimetres(one.distance),
+    const rows = solutions.slice(0, 6).map((one) => [String(one.id), fixed(one.epsilon, 3), millimetres(one.distance),
       degrees(one.angle), millimetres(one.offset), duration(Math.round(one.age * 10) / 10)]);
     const text = JSON.stringify([rows, offered]);
     if (text === this.shown) return;
