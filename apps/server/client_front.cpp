@@ -78,7 +78,15 @@ void ClientFront::greet(const wire::ClientMessage& message) {
 void ClientFront::pass_on(const wire::ClientMessage& message, Clock::time_point arrived) {
   if (std::holds_alternative<wire::Hello>(message))
     return refuse(wire::ErrorCode::not_allowed, "hello was said already; connect again to say another", "hello");
-  if (session_) return session_->take(message, arrived);
+  if (session_) {
+    if (const auto named = session_named_in(message); named && *named != session_->name())
+      return refuse(wire::ErrorCode::not_allowed,
+                    fmt::format("an app named the session '{}', expected its own, {}, or none; only trackers move "
+                                "others",
+                                *named, session_->name()),
+                    wire::type_of(message));
+    return session_->take(message, arrived);
+  }
   const std::string sentence = hub_.route(message, tracked_session_, arrived);
   if (!sentence.empty()) refuse(wire::ErrorCode::no_session, sentence, wire::type_of(message));
 }

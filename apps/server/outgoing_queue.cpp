@@ -20,11 +20,14 @@ bool OutgoingQueue::push(std::string text, Kind kind) {
   return bytes_ <= max_bytes_;
 }
 
-std::string OutgoingQueue::pop() {
-  std::string text = std::move(messages_.front().text);
-  messages_.pop_front();
-  bytes_ -= static_cast<std::int64_t>(text.size());
-  return text;
+std::optional<OutgoingQueue::Message> OutgoingQueue::pop(bool views) {
+  const auto first = std::find_if(messages_.begin(), messages_.end(),
+                                  [&](const Message& m) { return views || m.kind != Kind::view; });
+  if (first == messages_.end()) return {};
+  Message message = std::move(*first);
+  messages_.erase(first);
+  bytes_ -= static_cast<std::int64_t>(message.text.size());
+  return message;
 }
 
 }  // namespace eigengrasp::server

@@ -10,19 +10,19 @@ namespace eigengrasp::server {
 
 namespace {
 
-std::optional<std::string> session_named_in(const wire::ClientMessage& message) {
-  if (const auto* m = std::get_if<wire::Wrist>(&message)) return m->session;
-  if (const auto* m = std::get_if<wire::Targets>(&message)) return m->session;
-  if (const auto* m = std::get_if<wire::Command>(&message)) return m->session;
-  return {};
-}
-
 bool is_for_trackers(const wire::ClientMessage& message) {
   return std::holds_alternative<wire::Wrist>(message) || std::holds_alternative<wire::Targets>(message) ||
          std::holds_alternative<wire::Command>(message);
 }
 
 }  // namespace
+
+std::optional<std::string> session_named_in(const wire::ClientMessage& message) {
+  if (const auto* m = std::get_if<wire::Wrist>(&message)) return m->session;
+  if (const auto* m = std::get_if<wire::Targets>(&message)) return m->session;
+  if (const auto* m = std::get_if<wire::Command>(&message)) return m->session;
+  return {};
+}
 
 std::shared_ptr<AppSession> SessionHub::open(std::shared_ptr<Client> client) {
   std::random_device random;  // plans are named after sessions: nobody shall guess them

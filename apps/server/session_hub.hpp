@@ -13,6 +13,9 @@
 
 namespace eigengrasp::server {
 
+/// The session that a message names.
+std::optional<std::string> session_named_in(const wire::ClientMessage& message);
+
 /// The sessions of all apps, and which of them a tracker moves. From any thread.
 class SessionHub {
  public:

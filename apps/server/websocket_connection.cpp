@@ -7,6 +7,8 @@
 #include <boost/beast/core/bind_handler.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/websocket.hpp>
+#include <charconv>
+#include <cstdint>
 
 #include "server/outgoing_queue.hpp"
 
@@ -18,6 +20,8 @@ namespace asio = boost::asio;
 namespace beast = boost::beast;
 namespace websocket = beast::websocket;
 using boost::system::error_code;
+
+constexpr std::uint64_t kViewsOnTheWay = 8;  ///< at 60 a second: full rate up to 130 ms away
 
 /// Everything but send and close runs on the strand of the stream.
 class WebSocketConnection final : public OpenClient, public std::enable_shared_from_this<WebSocketConnection> {
@@ -37,6 +41,9 @@ class WebSocketConnection final : public OpenClient, public std::enable_shared_f
     ws_.set_option(websocket::stream_base::timeout{std::chrono::seconds(10), silent, true});
     ws_.read_message_max(static_cast<std::size_t>(context_.options.limits.message_bytes));
     ws_.auto_fragment(false);
+    ws_.control_callback([this](websocket::frame_type frame, beast::string_view payload) {
+      on_control(frame, payload);  // while a read is on the way, which holds this
+    });
     ws_.async_accept(request, beast::bind_front_handler(&WebSocketConnection::on_accept, shared_from_this()));
   }
 
@@ -95,21 +102,46 @@ class WebSocketConnection final : public OpenClient, public std::enable_shared_f
 
   void write_next() {
     if (ended_ || writing_) return;
-    if (queue_.empty()) {
+    auto next = queue_.pop(views_written_ - views_received_ < kViewsOnTheWay);
+    if (!next) {
       if (close_reason_) close_now();
       return;
     }
     writing_ = true;
     write_begun_ = Clock::now();
-    on_the_way_ = queue_.pop();
+    on_the_way_ = std::move(*next);
     ws_.text(true);
-    ws_.async_write(asio::buffer(on_the_way_),
+    ws_.async_write(asio::buffer(on_the_way_.text),
                     beast::bind_front_handler(&WebSocketConnection::on_write, shared_from_this()));
   }
 
   void on_write(error_code error, std::size_t) {
-    writing_ = false;
     if (error) return end();
+    if (on_the_way_.kind == Kind::view) return ask_for_receipt();
+    writing_ = false;
+    write_next();
+  }
+
+  /// A ping follows each view; its pong says that the view arrived. So few views are on the way that a slow
+  /// client sees the newest, instead of what waits in the buffers of the network.
+  void ask_for_receipt() {
+    websocket::ping_data number;
+    if (views_written_ == views_received_) receipt_since_ = Clock::now();
+    number.assign(std::to_string(++views_written_));
+    ws_.async_ping(number, [self = shared_from_this()](error_code error) {
+      self->writing_ = false;
+      if (error) return self->end();
+      self->write_next();
+    });
+  }
+
+  void on_control(websocket::frame_type frame, beast::string_view payload) {
+    if (frame != websocket::frame_type::pong) return;
+    std::uint64_t number = 0;
+    const auto [end, error] = std::from_chars(payload.data(), payload.data() + payload.size(), number);
+    if (error != std::errc() || number <= views_received_ || number > views_written_) return;
+    views_received_ = number;
+    receipt_since_ = Clock::now();
     write_next();
   }
 
@@ -128,7 +160,9 @@ class WebSocketConnection final : public OpenClient, public std::enable_shared_f
       const auto longer = [now = Clock::now()](Clock::time_point since, double seconds) {
         return std::chrono::duration<double>(now - since).count() > seconds;
       };
+      const bool behind = self->views_written_ - self->views_received_ >= kViewsOnTheWay;
       if ((self->writing_ && longer(self->write_begun_, limits.slow_seconds)) ||
+          (behind && longer(self->receipt_since_, limits.slow_seconds)) ||
           (self->close_reason_ && longer(self->close_begun_, limits.slow_seconds)) ||
           (!self->handler_->is_known() && longer(self->began_, limits.hello_seconds)))
         return self->drop();
@@ -157,9 +191,11 @@ class WebSocketConnection final : public OpenClient, public std::enable_shared_f
   beast::flat_buffer buffer_;
   std::shared_ptr<ClientHandler> handler_;
   OutgoingQueue queue_;
-  std::string on_the_way_;
+  OutgoingQueue::Message on_the_way_;
+  std::uint64_t views_written_ = 0;
+  std::uint64_t views_received_ = 0;
   std::optional<websocket::close_reason> close_reason_;
-  Clock::time_point began_, write_begun_, close_begun_;
+  Clock::time_point began_, write_begun_, receipt_since_, close_begun_;
   bool writing_ = false;
   bool ended_ = false;
 };

@@ -90,6 +90,7 @@ class Online(support.EndToEnd):
         app.send(type='command', command='close')
         closed = app.wait_for('closed')
         self.assertIn('grasp', closed)
+        self.assertTrue(closed['grasp']['form_closure'], closed['message'])
         self.assertGreater(len(closed['grasp']['contacts']), 1)
         self.assertEqual(self.wait_for_view(app, lambda v: v['phase'] != 'approach')['phase'], 'holding')
         app.send(type='command', command='open')
@@ -101,21 +102,25 @@ class Online(support.EndToEnd):
 
     def move_to_the_offer(self, app):
         """As an operator does: towards the pre-grasp that is offered at the time, in small steps."""
-        for step in range(400):
+        offers = []
+        for step in range(600):
             view = self.wait_for_view(app, lambda v: 'wrist' in v)
             if 'offer' not in view:
                 continue
+            if view['offer']['id'] not in offers[-1:]:
+                offers.append(view['offer']['id'])
             here, there = view['wrist']['pose'], view['offer']['pregrasp'][0]
             if sum(a * b for a, b in zip(here[3:], there[3:])) < 0:
                 there = there[:3] + [-x for x in there[3:]]
             distance = math.dist(here[:3], there[:3])
-            share = min(1.0, 0.01 / max(distance, 1e-9), 1.0)
+            share = min(1.0, 0.01 / max(distance, 1e-9))
             pose = [a + share * (b - a) for a, b in zip(here, there)]
             length = math.sqrt(sum(x * x for x in pose[3:]))
             app.send(type='wrist', time=2.0 + 0.02 * step, pose=pose[:3] + [x / length for x in pose[3:]])
-            if distance < 0.002 and view['preshape'] > 0.9:
+            if distance < 1e-5 and view['preshape'] > 0.99 and not view['blocked']:
                 return
-        self.fail('the wrist did not get to the offered pre-grasp')
+        self.fail(f"the wrist did not get to the offered pre-grasp: {distance} m off, preshape {view['preshape']}, "
+                  f"blocked {view['blocked']}, offers {offers}, {view['message']}")
 
     def test_trackers_move_the_session_they_name_or_the_newest(self):
         first, second = self.talk(), self.talk()
@@ -135,6 +140,8 @@ class Online(support.EndToEnd):
         self.assertEqual(newest.wait_for('error')['code'], 'no_session')
         newest.send(type='plan.start', hand='human', object='glass')
         self.assertEqual(newest.wait_for('error')['of'], 'plan.start')
+        second.send(type='wrist', time=15.0, pose=pose, session=first.welcome['session'])
+        self.assertEqual(second.wait_for('error')['code'], 'not_allowed')
         newest.send(type='command', command='close')  # goes to the app of the session
         second.wait_for('closed')
 

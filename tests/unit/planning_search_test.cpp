@@ -89,6 +89,32 @@ TEST(PlanGrasps, TheNumberOfThreadsChangesNothingAndTheSeedDoes) {
   EXPECT_NE(other.grasps[0].X_OH.matrix(), one.grasps[0].X_OH.matrix());
 }
 
+TEST(PlanGrasps, MilestonesComeAsTheyAreFoundAndWatchingChangesNothing) {
+  const Scene scene = block_scene();
+  const PlanResult plain = plan_grasps(scene, quick);
+  for (const int threads : {1, 2}) {
+    PlanOptions options = quick;
+    options.threads = threads;
+    std::vector<SearchMilestone> heard;
+    options.milestone = [&](const SearchMilestone& m) { heard.push_back(m); };
+    const PlanResult watched = plan_grasps(scene, options);
+    expect_same(plain, watched);
+    ASSERT_FALSE(heard.empty());
+    for (std::size_t i = 1; i < heard.size(); ++i) EXPECT_LT(heard[i].energy, heard[i - 1].energy);
+    EXPECT_LE(heard.back().iteration, watched.states.evaluated);
+    EXPECT_EQ(heard.back().energy, watched.milestones.back().energy);  // the best of all chains
+    EXPECT_EQ(heard.back().X_OH.matrix(), watched.milestones.back().X_OH.matrix());
+  }
+}
+
+TEST(PlanGrasps, ASceneThatWasPreparedBeforeGivesTheSameGrasps) {
+  const Scene scene = block_scene();
+  CollisionModel::Options prepared;
+  prepared.threads = 1;
+  const CollisionModel model(scene, prepared);
+  expect_same(plan_grasps(scene, quick), plan_grasps(model, quick));
+}
+
 TEST(PlanGrasps, EveryGraspWithstandsTheExactCheck) {
   const Scene scene = block_scene();
   const HandModel& hand = *scene.hand;

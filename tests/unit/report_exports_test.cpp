@@ -12,6 +12,7 @@
 #include "eigengrasp/core/files.hpp"
 #include "eigengrasp/geometry/mesh_io.hpp"
 #include "eigengrasp/report/grasp_glb.hpp"
+#include "eigengrasp/report/model_glb.hpp"
 #include "eigengrasp/report/grasp_tables.hpp"
 #include "support/gripper.hpp"
 
@@ -129,6 +130,30 @@ TEST_F(Glb, BoxesKeepTheirEdgesAndBallsShareVertices) {
       EXPECT_LT(mesh.mNumVertices, mesh.mNumFaces);
     }
   }
+}
+
+TEST_F(Glb, AHandAloneHasANodeForEachLinkInItsOwnFrame) {
+  const Scene scene = ball_scene();
+  const aiScene* read_back = read(hand_glb(*scene.hand));
+  ASSERT_NE(read_back, nullptr) << importer_.GetErrorString();
+  EXPECT_STREQ(read_back->mRootNode->mName.C_Str(), "hand");
+  EXPECT_TRUE(read_back->mRootNode->mTransformation.IsIdentity());
+  ASSERT_EQ(read_back->mRootNode->mNumChildren, scene.hand->links.size());
+  for (std::size_t i = 0; i < scene.hand->links.size(); ++i) {
+    const HandLink& link = scene.hand->links[i];
+    const aiNode* node = read_back->mRootNode->FindNode(link.name.c_str());
+    ASSERT_NE(node, nullptr) << link.name;
+    EXPECT_TRUE(node->mTransformation.IsIdentity());
+    const aiMesh& mesh = *read_back->mMeshes[node->mMeshes[0]];
+    Box box;
+    for (unsigned v = 0; v < mesh.mNumVertices; ++v)
+      box.add(Vec3(mesh.mVertices[v].x, mesh.mVertices[v].y, mesh.mVertices[v].z));
+    EXPECT_TRUE(box.min.isApprox(bounding_box(link.mesh).min, 1e-6)) << link.name;
+    EXPECT_TRUE(box.max.isApprox(bounding_box(link.mesh).max, 1e-6)) << link.name;
+  }
+  const aiScene* object = read(object_glb(*scene.object));
+  ASSERT_NE(object, nullptr) << importer_.GetErrorString();
+  EXPECT_NE(object->mRootNode->FindNode("object"), nullptr);
 }
 
 TEST_F(Glb, PlacesThePartsWithYUp) {

@@ -69,10 +69,12 @@ TEST(OutgoingQueue, ANewerViewTakesThePlaceOfOneThatWaits) {
   EXPECT_TRUE(queue.push("progress 1", Kind::progress));
   EXPECT_TRUE(queue.push("view 2", Kind::view));
   EXPECT_EQ(queue.size(), 3u);
-  EXPECT_EQ(queue.pop(), "closed");
-  EXPECT_EQ(queue.pop(), "progress 1");
-  EXPECT_EQ(queue.pop(), "view 2");
+  EXPECT_EQ(queue.pop()->text, "closed");
+  EXPECT_EQ(queue.pop()->text, "progress 1");
+  EXPECT_FALSE(queue.pop(false));
+  EXPECT_EQ(queue.pop()->text, "view 2");
   EXPECT_TRUE(queue.empty());
+  EXPECT_FALSE(queue.pop());
   EXPECT_EQ(queue.bytes(), 0);
 }
 
