@@ -94,11 +94,12 @@ export class App {
   }
 }
 
+/** The choice as far as the server has it; else what the server begins with. */
 export function sound_choice(choice: SceneChoice | undefined, status: Status): SceneChoice | undefined {
-  const pick = (name: string | undefined, fallback: string | undefined, list: readonly { name: string }[]) =>
-    [name, fallback].find((wanted) => list.some((entry) => entry.name === wanted)) ?? list[0]?.name;
-  const hand = pick(choice?.hand, status.default_hand, status.hands);
-  const object = pick(choice?.object, status.default_object, status.objects);
+  const pick = (names: (string | undefined)[], list: readonly { name: string }[]) =>
+    names.find((wanted) => list.some((entry) => entry.name === wanted)) ?? list[0]?.name;
+  const hand = pick([choice?.hand, status.default_hand, "human"], status.hands);
+  const object = pick([choice?.object, status.default_object, "glass"], status.objects);
   if (hand === undefined || object === undefined) return undefined;
   const scale = choice && choice.object === object ? choice.scale : 1;
   return { hand, object, scale, table: choice?.table ?? false };

@@ -49,7 +49,7 @@ export class OnlineJob {
   private command(command: "close" | "open" | "forget"): void {
     if (command === "close") {
       const grasp = this.offer?.grasp;
-      const answer: Closed = { type: "closed", message: grasp ? "Closed to form closure." : "Nothing to close on: move nearer.", ...(grasp ? { grasp } : {}) };
+      const answer: Closed = { type: "closed", message: grasp ? `The grasp holds: epsilon ${grasp.epsilon.toFixed(4)}, ${grasp.contacts.length} contacts.` : "Nothing to close on: move nearer.", ...(grasp ? { grasp } : {}) };
       this.held = grasp;
       this.send(answer);
     } else {

@@ -20,6 +20,7 @@ export class MockServer {
   private readonly sockets = new WebSocketServer({ noServer: true });
   private readonly log: string[] = [];
   private readonly began = performance.now();
+  private newest: OnlineJob | undefined;
   private plans = 0;
   private sessions = 0;
 
@@ -91,6 +92,7 @@ export class MockServer {
     const session = `session-${++this.sessions}`;
     let plan: PlanJob | undefined;
     let online: OnlineJob | undefined;
+    let tracker = false;
     const keep = (line: object) => this.log.length < 20000 && this.log.push(JSON.stringify({ t: (performance.now() - this.began) / 1e3, ...line }));
     const send = (message: ServerMessage) => {
       keep({ out: message });
@@ -105,7 +107,8 @@ export class MockServer {
           send({ type: "error", code: "not_allowed", message: "this server asks for a token", of: "hello" });
           return client.close(1008);
         }
-        send({ type: "welcome", program: "eigengrasp", version: "mock", protocol: 1, role: "app", session, limits });
+        tracker = message.role === "tracker";
+        send({ type: "welcome", program: "eigengrasp", version: "mock", protocol: 1, role: message.role, session, limits });
       } else if (message.type === "plan.start") {
         plan?.stop();
         plan = new PlanJob(`plan-${++this.plans}`, this.world, message, send);
@@ -113,11 +116,12 @@ export class MockServer {
       else if (message.type === "online.start") {
         online?.stop();
         online = new OnlineJob(session, this.world, message, send);
+        this.newest = online;
       } else if (message.type === "online.stop") {
         online?.stop();
         online = undefined;
         send({ type: "online.stopped", session });
-      } else online?.handle(message);
+      } else (tracker ? this.newest : online)?.handle(message);
     });
   }
 }

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The eigengrasp authors
 import { readFileSync } from "node:fs";
 import { Quaternion, Vector3 } from "three";
+import { WebSocket } from "ws";
 import { eventually, expect, expect_near } from "../support/expect.ts";
 import { gizmo_axes, projector } from "../support/project.ts";
 import type { Stage } from "../support/stage.ts";
@@ -75,6 +76,34 @@ export async function keyboard(stage: Stage): Promise<void> {
   await eventually(() => Math.abs(stage.wire.wrist[2] - before[2]) < 1e-9, "H goes back to the start place");
 }
 
+/** A tracker of its own, beside the page, moves the hand. */
+export async function tracker(stage: Stage): Promise<void> {
+  await begin(stage);
+  const start = stage.wire.wrist;
+  const sent = stage.wire.wrists.length;
+  const socket = new WebSocket(stage.target.address.replace("http", "ws") + "ws");
+  const welcome = new Promise((resolve) => socket.addEventListener("message", resolve, { once: true }));
+  await new Promise((resolve) => socket.addEventListener("open", resolve, { once: true }));
+  socket.send(JSON.stringify({ type: "hello", protocol: 1, role: "tracker" }));
+  await welcome;
+  const goal = start[2] + 0.06;
+  for (let i = 1; i <= 30; ++i) {
+    const [x, y, z, ...turn] = start;
+    socket.send(JSON.stringify({ type: "wrist", time: 5000 + i / 60, pose: [x, y, z + (0.06 * i) / 30, ...turn] }));
+    await stage.page.waitForTimeout(16);
+  }
+  await eventually(() => Math.abs((stage.wire.view?.wrist?.pose[2] ?? 0) - goal) < 1e-6, "the planner follows the tracker");
+  await eventually(async () => (await stage.text("#hud")).startsWith("Tracker:"), "the page says that a tracker moves the hand");
+  expect(stage.wire.wrists.length === sent, "the page itself sends nothing meanwhile");
+  await stage.shot("moved");
+  await stage.page.keyboard.down("KeyF");
+  await stage.page.waitForTimeout(300);
+  await stage.page.keyboard.up("KeyF");
+  await eventually(() => stage.wire.wrists.length > sent, "the keyboard takes over");
+  expect(stage.wire.wrist[2] < goal && stage.wire.wrist[2] > start[2] - 0.05, "from where the tracker left the wrist");
+  socket.close();
+}
+
 export async function grasp_and_lift(stage: Stage): Promise<void> {
   const { page } = stage;
   await begin(stage);
@@ -95,7 +124,7 @@ export async function grasp_and_lift(stage: Stage): Promise<void> {
   await eventually(() => stage.wire.view?.phase === "holding", "the hand is closed");
   await page.waitForTimeout(600);
   const told = await stage.text("#closed");
-  expect(Number.parseFloat(told.split("ε")[1] ?? "0") > 0, `a grasp that holds was made: ${told}`);
+  expect(Number.parseFloat(/epsilon ([\d.]+)/.exec(told)?.[1] ?? "0") > 0, `a grasp that holds was made: ${told}`);
   expect(!(await page.locator("#do-lift").isDisabled()), "and can be lifted");
   await stage.shot("closed");
   const low = await stage.view_picture();

@@ -14,6 +14,8 @@ export interface TraceStyle {
   dots?: boolean;
   decimals?: number;
   fill?: boolean;
+  /** Nothing is drawn where there is no value. */
+  gaps?: boolean;
 }
 
 export interface ChartStyle {
@@ -97,7 +99,7 @@ function chart_series(trace: TraceStyle): uPlot.Series {
     label: trace.label,
     stroke: trace.colour,
     width: 1.6,
-    spanGaps: true,
+    spanGaps: !trace.gaps,
     points: { show: trace.points ?? trace.dots ?? false, size: trace.dots ? 6 : 5, fill: trace.colour },
     value: (_plot, value: number | null) =>
       value === null ? "–" : `${value.toFixed(trace.decimals ?? 2)}${trace.unit ? " " + trace.unit : ""}`,

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The eigengrasp authors
 import { Vector3 } from "three";
 import type { App } from "../app";
-import { duration, fixed } from "../core/format";
+import { duration } from "../core/format";
 import { History, sample_of } from "../core/history";
 import { home_pose } from "../core/home_pose";
 import { Gamepads } from "../input/gamepad";
@@ -152,7 +152,7 @@ export class InteractivePage implements Page {
 
   private show_closed(closed: Closed | undefined): void {
     const grasp = closed?.grasp;
-    set_text(this.closed_text, closed ? closed.message + (grasp ? ` ε ${fixed(grasp.epsilon, 4)}, ${grasp.contacts.length} contacts.` : "") : "");
+    set_text(this.closed_text, closed?.message ?? "");
     this.closed_text.className = closed && !grasp?.form_closure ? "note bad" : "note";
     this.app.bench.contacts.show(grasp?.contacts ?? [], 0.018);
     this.app.stage.request();

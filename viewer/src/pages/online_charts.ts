@@ -25,7 +25,7 @@ export class OnlineCharts {
       { label: "if closed", colour: "#58a6ff", decimals: 3 }] }, pick);
     this.speed = new TraceChart(kind === "latency"
       ? { x_label: "time [s]", x_span: 4, y_label: "latency [ms]", y_floor: 0,
-        traces: [{ label: "wrist to view", colour: "#f0b429", decimals: 1, unit: "ms", points: true }] }
+        traces: [{ label: "wrist to view", colour: "#f0b429", decimals: 1, unit: "ms", points: true, gaps: true }] }
       : { x_label: "time [s]", x_span: 4, y_label: "postures/s", y_floor: 0, y_format: short_count,
         traces: [{ label: "postures a second", colour: "#8f7bff", decimals: 0 }] }, pick);
     this.element = h("div", { class: "page-charts" }, h("div", { class: "chart-box" }, this.quality.element),
