@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
-// Moves the wrist of an interactive session from another program, by datagrams (docs/trackers.md). Needs nothing
-// but POSIX sockets:  g++ -std=c++20 tracker_sender.cpp -o tracker_sender && ./tracker_sender 8081
-// Start `eigengrasp serve --udp 8081`, open the app's page Interactive and start a session first. Put your device
-// in place of read_tracker().
+// Moves the wrist of an interactive session from another program, by datagrams (docs/trackers.md). Needs
+// nothing but POSIX sockets:  g++ -std=c++20 tracker_sender.cpp -o tracker_sender && ./tracker_sender 8081
+// Start `eigengrasp serve --udp 8081`, open the app's page Interactive and start a session first. Put your
+// device in place of read_tracker().
 #include <arpa/inet.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
@@ -19,8 +19,8 @@
 
 namespace {
 
-/// Pose of the hand base in the object frame at time t [s]: x, y, z [m], quaternion w, x, y, z. Here: from 40 cm
-/// beside the object towards it and back again, once in 8 s, with a slight turn about z.
+/// Pose of the hand base in the object frame at time t [s]: x, y, z [m], quaternion w, x, y, z. Here: from 40
+/// cm beside the object towards it and back again, once in 8 s, with a slight turn about z.
 std::array<double, 7> read_tracker(double t) {
   const double distance = 0.15 + 0.25 * std::abs(std::fmod(t / 4.0, 2.0) - 1.0);
   const double turn = 0.2 * std::sin(t);
@@ -30,9 +30,8 @@ std::array<double, 7> read_tracker(double t) {
 std::string wrist_message(double t, const std::array<double, 7>& pose) {
   char text[512];
   const int length = std::snprintf(
-      text, sizeof text,
-      "{\"type\":\"wrist\",\"time\":%.6f,\"pose\":[%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g]}\n", t, pose[0], pose[1],
-      pose[2], pose[3], pose[4], pose[5], pose[6]);
+      text, sizeof text, "{\"type\":\"wrist\",\"time\":%.6f,\"pose\":[%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g]}\n",
+      t, pose[0], pose[1], pose[2], pose[3], pose[4], pose[5], pose[6]);
   return {text, static_cast<std::size_t>(length)};
 }
 

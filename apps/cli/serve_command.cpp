@@ -42,13 +42,15 @@ void add_limits(CLI::App& command, server::ServerLimits& limits) {
 void add_serve_command(CLI::App& app) {
   auto options = std::make_shared<server::ServerOptions>();
   CLI::App* command = app.add_subcommand("serve", "Serve the web app: plan and grasp interactively");
-  command->add_option("--port", options->port, "Port of HTTP and WebSocket (default: 8080; 0: any that is free)");
+  command->add_option("--port", options->port,
+                      "Port of HTTP and WebSocket (default: 8080; 0: any that is free)");
   command->add_option("--bind", options->bind,
                       "Address to listen at (default: 127.0.0.1); another than loopback needs a --token");
   command->add_option("--token", options->token, "What clients must say, at least 8 characters");
   command->add_option("--hand", options->hand, "The app begins with this hand: a name, or a path");
   command->add_option("--object", options->object, "The app begins with this object: a name, or a mesh file");
-  command->add_option("--app", options->app, "Folder of the built web app (default: the installed one, or viewer/dist)");
+  command->add_option("--app", options->app,
+                      "Folder of the built web app (default: the installed one, or viewer/dist)");
   command->add_option("--udp", options->udp_port, "UDP port for trackers, on 127.0.0.1 (0: any)");
   command->add_option("--log", options->logs, "Folder for logs of sessions, which the app can replay");
   command->add_option("--threads", options->threads, "Threads of a plan (0: all)");
@@ -58,7 +60,8 @@ void add_serve_command(CLI::App& app) {
       "  eigengrasp serve\n"
       "  eigengrasp serve --hand human --object mug.stl --udp 8081 --log logs\n"
       "  eigengrasp serve --bind 0.0.0.0 --token $(openssl rand -hex 16)\n"
-      "Messages: docs/wire-protocol.md; trackers: docs/trackers.md. Exit code: 0 ended by Ctrl-C, 2 bad input.");
+      "Messages: docs/wire-protocol.md; trackers: docs/trackers.md. Exit code: 0 ended by Ctrl-C, 2 bad "
+      "input.");
   command->callback([options] { server::serve(*options, user_cache(), say); });
 }
 

@@ -102,7 +102,8 @@ HttpReply Api::status(const HttpRequest& request) const {
     status.hands = services_.shelf.hands();
     status.objects = services_.shelf.objects();
     if (const auto& hand = services_.shelf.default_hand(); !hand.empty()) status.default_hand = hand;
-    if (const auto& object = services_.shelf.default_object(); !object.empty()) status.default_object = object;
+    if (const auto& object = services_.shelf.default_object(); !object.empty())
+      status.default_object = object;
   }
   return {200, "application/json", wire::to_text(status), ""};
 }
@@ -110,7 +111,8 @@ HttpReply Api::status(const HttpRequest& request) const {
 HttpReply Api::upload(const HttpRequest& request) {
   const std::string name = value_or_empty(request, "name");
   if (name.empty() || name.size() > 200)
-    return refusal(400, "the query has no name, expected ?name=FILE.stl&units=mm with at most 200 characters");
+    return refusal(400,
+                   "the query has no name, expected ?name=FILE.stl&units=mm with at most 200 characters");
   if (request.body.empty()) return refusal(400, "the body is empty, expected a mesh file");
   return {200, "application/json",
           wire::to_text(services_.shelf.upload(name, value_or_empty(request, "units"), request.body)), ""};
@@ -118,11 +120,12 @@ HttpReply Api::upload(const HttpRequest& request) {
 
 HttpReply Api::logs() const {
   wire::LogList list;
-  if (services_.options.logs.empty()) return refusal(404, "no logs are kept; start the server with --log FOLDER");
+  if (services_.options.logs.empty())
+    return refusal(404, "no logs are kept; start the server with --log FOLDER");
   for (const auto& entry : std::filesystem::directory_iterator(services_.options.logs))
     if (entry.is_regular_file() && entry.path().extension() == ".jsonl" && list.logs.size() < 10000)
-      list.logs.push_back({entry.path().filename().string().substr(0, 64),
-                           static_cast<std::int64_t>(entry.file_size())});
+      list.logs.push_back(
+          {entry.path().filename().string().substr(0, 64), static_cast<std::int64_t>(entry.file_size())});
   std::sort(list.logs.begin(), list.logs.end(), [](const auto& a, const auto& b) { return a.name > b.name; });
   return {200, "application/json", wire::to_text(list), ""};
 }

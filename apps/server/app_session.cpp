@@ -81,10 +81,11 @@ void AppSession::start(const wire::OnlineStart& message) {
   online_since_.store(0);
   auto ticket = Counter::take(services_.online_sessions, services_.options.limits.online_sessions);
   if (!ticket) {
-    outlet_->refuse(wire::ErrorCode::busy,
-                    fmt::format("{} online sessions run, the most at a time; wait until one ends, and start again",
-                                services_.options.limits.online_sessions),
-                    wire::OnlineStart::type);
+    outlet_->refuse(
+        wire::ErrorCode::busy,
+        fmt::format("{} online sessions run, the most at a time; wait until one ends, and start again",
+                    services_.options.limits.online_sessions),
+        wire::OnlineStart::type);
     return;
   }
   online_ = std::make_shared<OnlineJob>(services_, outlet_, message, name_);

@@ -12,8 +12,8 @@
 
 namespace eigengrasp::server {
 
-/// What an app does on one connection: at most one plan and one online planner at a time. From any thread; does
-/// not block.
+/// What an app does on one connection: at most one plan and one online planner at a time. From any thread;
+/// does not block.
 class AppSession {
  public:
   AppSession(Services& services, std::shared_ptr<Client> client, std::string name)

@@ -4,7 +4,9 @@
 
 namespace eigengrasp::server {
 
-Background::~Background() { wait_for_all(); }
+Background::~Background() {
+  wait_for_all();
+}
 
 void Background::run(std::function<void()> work) {
   const std::lock_guard lock(mutex_);

@@ -20,8 +20,9 @@ ClientFront::ClientFront(Services& services, SessionHub& hub, std::shared_ptr<Cl
 void ClientFront::on_text(std::string_view text, Clock::time_point arrived) {
   if (!rate_.pass(arrived)) {
     if (!std::exchange(told_of_rate_, true))
-      refuse(wire::ErrorCode::too_fast, fmt::format("messages come faster than {} a second; the rest is dropped",
-                                                    services_.options.limits.messages_per_second));
+      refuse(wire::ErrorCode::too_fast,
+             fmt::format("messages come faster than {} a second; the rest is dropped",
+                         services_.options.limits.messages_per_second));
     return;
   }
   try {
@@ -52,8 +53,9 @@ void ClientFront::greet(const wire::ClientMessage& message) {
   const std::string& token = services_.options.token;
   if (!token.empty() && !equal_in_constant_time(hello->token.value_or(""), token))
     return turn_away(wire::ErrorCode::not_allowed,
-                     hello->token ? "the token is not the server's; it is what --token said when it was started"
-                                  : "there is no token, expected what --token said when the server was started",
+                     hello->token
+                         ? "the token is not the server's; it is what --token said when it was started"
+                         : "there is no token, expected what --token said when the server was started",
                      wire::Hello::type);
   if (hello->protocol != wire::kProtocol)
     return turn_away(wire::ErrorCode::not_allowed,
@@ -77,14 +79,16 @@ void ClientFront::greet(const wire::ClientMessage& message) {
 
 void ClientFront::pass_on(const wire::ClientMessage& message, Clock::time_point arrived) {
   if (std::holds_alternative<wire::Hello>(message))
-    return refuse(wire::ErrorCode::not_allowed, "hello was said already; connect again to say another", "hello");
+    return refuse(wire::ErrorCode::not_allowed, "hello was said already; connect again to say another",
+                  "hello");
   if (session_) {
     if (const auto named = session_named_in(message); named && *named != session_->name())
-      return refuse(wire::ErrorCode::not_allowed,
-                    fmt::format("an app named the session '{}', expected its own, {}, or none; only trackers move "
-                                "others",
-                                *named, session_->name()),
-                    wire::type_of(message));
+      return refuse(
+          wire::ErrorCode::not_allowed,
+          fmt::format("an app named the session '{}', expected its own, {}, or none; only trackers move "
+                      "others",
+                      *named, session_->name()),
+          wire::type_of(message));
     return session_->take(message, arrived);
   }
   const std::string sentence = hub_.route(message, tracked_session_, arrived);

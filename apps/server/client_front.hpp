@@ -39,7 +39,7 @@ class ClientFront final : public ClientHandler {
   bool told_of_rate_ = false;
   int unsound_ = 0;
   std::optional<wire::Role> role_;
-  std::shared_ptr<AppSession> session_;          ///< of an app
+  std::shared_ptr<AppSession> session_;         ///< of an app
   std::optional<std::string> tracked_session_;  ///< of a tracker
 };
 

@@ -33,7 +33,9 @@ constexpr const char* kContentPolicy =
     "default-src 'self'; img-src 'self' data: blob:; style-src 'self' 'unsafe-inline'; "
     "connect-src 'self' ws: wss: blob: data:; worker-src 'self' blob:; frame-ancestors 'none'";
 
-std::string text_of(beast::string_view view) { return {view.data(), view.size()}; }
+std::string text_of(beast::string_view view) {
+  return {view.data(), view.size()};
+}
 
 std::optional<HttpRequest> understood(const http::request<http::string_body>& message) {
   const auto target = parse_target({message.target().data(), message.target().size()});
@@ -74,8 +76,8 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     if (error == http::error::body_limit) return refuse_and_close(413, too_large());
     if (error == http::error::header_limit)
       return refuse_and_close(431, fmt::format("the header is larger than {} bytes", kHeaderBytes));
-    if (error == http::error::end_of_stream || error == asio::error::eof ||
-        error == beast::error::timeout || error == asio::error::connection_reset)
+    if (error == http::error::end_of_stream || error == asio::error::eof || error == beast::error::timeout ||
+        error == asio::error::connection_reset)
       return close();
     if (error) return refuse_and_close(400, "this is no request of HTTP/1.1 that is sound");
     const auto request = understood(parser_->get());
@@ -145,7 +147,8 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     reply_.set("Referrer-Policy", "no-referrer");
     if (reply.status == 401) reply_.set(http::field::www_authenticate, "Bearer");
     if (!reply.file_name.empty())
-      reply_.set(http::field::content_disposition, fmt::format("attachment; filename=\"{}\"", reply.file_name));
+      reply_.set(http::field::content_disposition,
+                 fmt::format("attachment; filename=\"{}\"", reply.file_name));
     reply_.keep_alive(!then_close && request.keep_alive());
     reply_.body() = reply.body;
     reply_.prepare_payload();
@@ -175,9 +178,10 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   /// has read the answer.
   void discard_next() {
     buffer_.clear();
-    stream_.async_read_some(buffer_.prepare(16384), [self = shared_from_this()](error_code error, std::size_t) {
-      if (!error) self->discard_next();
-    });
+    stream_.async_read_some(buffer_.prepare(16384),
+                            [self = shared_from_this()](error_code error, std::size_t) {
+                              if (!error) self->discard_next();
+                            });
   }
 
   NetworkContext& context_;

@@ -122,11 +122,13 @@ std::string ModelShelf::free_name(const std::string& wanted) const {
 wire::UploadReply ModelShelf::upload(const std::string& name, const std::string& units,
                                      const std::string& bytes) {
   const auto room = [&] {
-    const auto n = std::count_if(objects_.begin(), objects_.end(), [](const ObjectSlot& s) { return s.uploaded; });
+    const auto n =
+        std::count_if(objects_.begin(), objects_.end(), [](const ObjectSlot& s) { return s.uploaded; });
     if (n >= limits_.uploads)
-      fail("{} objects were uploaded, the most that are kept; start the server again, or with a larger "
-           "--max-uploads",
-           n);
+      fail(
+          "{} objects were uploaded, the most that are kept; start the server again, or with a larger "
+          "--max-uploads",
+          n);
   };
   {
     const std::lock_guard lock(mutex_);

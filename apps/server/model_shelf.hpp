@@ -26,8 +26,8 @@ class NotKnown : public Error {
 /// thread.
 class ModelShelf {
  public:
-  /// Loads everything. Hand and object may be paths; they come first, and default_hand and default_object name
-  /// them. @throws Error for one that cannot be read.
+  /// Loads everything. Hand and object may be paths; they come first, and default_hand and default_object
+  /// name them. @throws Error for one that cannot be read.
   ModelShelf(const std::string& hand, const std::string& object, const ServerLimits& limits);
 
   std::shared_ptr<const HandModel> hand(const std::string& name) const;      ///< @throws NotKnown

@@ -110,11 +110,14 @@ class Network::Work {
   }
 
   void receive_next() {
-    datagrams_.async_receive_from(asio::buffer(datagram_), sender_, [this](error_code error, std::size_t size) {
-      if (error == asio::error::operation_aborted || !datagrams_.is_open()) return;
-      if (!error && size < datagram_.size()) context_.handlers.datagram({datagram_.data(), size});
-      receive_next();
-    });
+    datagrams_.async_receive_from(asio::buffer(datagram_), sender_,
+                                  [this](error_code error, std::size_t size) {
+                                    if (error == asio::error::operation_aborted || !datagrams_.is_open())
+                                      return;
+                                    if (!error && size < datagram_.size())
+                                      context_.handlers.datagram({datagram_.data(), size});
+                                    receive_next();
+                                  });
   }
 
   std::vector<std::shared_ptr<OpenClient>> open_clients() {
@@ -156,9 +159,17 @@ class Network::Work {
 Network::Network(const ServerOptions& options, NetworkHandlers handlers)
     : work_(std::make_shared<Work>(options, std::move(handlers))) {}
 Network::~Network() = default;
-int Network::port() const { return work_->port(); }
-int Network::udp_port() const { return work_->udp_port(); }
-void Network::run() { work_->run(); }
-void Network::stop() { work_->stop(); }
+int Network::port() const {
+  return work_->port();
+}
+int Network::udp_port() const {
+  return work_->udp_port();
+}
+void Network::run() {
+  work_->run();
+}
+void Network::stop() {
+  work_->stop();
+}
 
 }  // namespace eigengrasp::server

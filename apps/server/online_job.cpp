@@ -3,8 +3,11 @@
 #include "server/online_job.hpp"
 
 #include <algorithm>
+#include <exception>
+#include <thread>
 
 #include "eigengrasp/wire/message_makers.hpp"
+#include "server/thread_priority.hpp"
 
 namespace eigengrasp::server {
 
@@ -13,7 +16,9 @@ namespace {
 constexpr auto kFrame = std::chrono::microseconds(16667);
 constexpr auto kShortestFrame = std::chrono::milliseconds(4);  ///< however fast wrist poses come
 
-bool is_wrist(const wire::ClientMessage& message) { return std::holds_alternative<wire::Wrist>(message); }
+bool is_wrist(const wire::ClientMessage& message) {
+  return std::holds_alternative<wire::Wrist>(message);
+}
 
 }  // namespace
 
@@ -74,9 +79,9 @@ void OnlineJob::plan_online() {
       services_.scenes.get({start_.hand, start_.object, start_.scale, start_.table, start_.options.friction});
   OnlineOptions options = wire::online_options(start_);
   options.amplitudes = std::min(options.amplitudes, model_->scene().hand->n_dof());
-  planner_ = std::make_unique<OnlinePlanner>(model_, options);
-  wire::OnlineReady ready{session_, start_.hand, start_.object, {},
-                          std::chrono::duration<double>(Clock::now() - begin).count()};
+  make_planner(options);
+  wire::OnlineReady ready{
+      session_, start_.hand, start_.object, {}, std::chrono::duration<double>(Clock::now() - begin).count()};
   if (start_.table) ready.table_height = table_height(*model_->scene().object);
   outlet_->send(ready);
   auto shown = Clock::now() - kFrame;
@@ -95,6 +100,21 @@ void OnlineJob::plan_online() {
     shown = Clock::now();
     show(wrist_arrived);
   }
+}
+
+/// In a thread that gives way, so that the planner's threads do.
+void OnlineJob::make_planner(const OnlineOptions& options) {
+  std::exception_ptr failure;
+  std::thread maker([&] {
+    give_way();
+    try {
+      planner_ = std::make_unique<OnlinePlanner>(model_, options);
+    } catch (...) {
+      failure = std::current_exception();
+    }
+  });
+  maker.join();
+  if (failure) std::rethrow_exception(failure);
 }
 
 void OnlineJob::take(const wire::ClientMessage& message) {
@@ -117,8 +137,8 @@ void OnlineJob::close_hand(OperatorCommand command) {
   if (!grasp) {
     closed.message = "The hand touches nothing here; move it up to the object, and close again.";
   } else if (grasp->form_closure) {
-    closed.message = fmt::format("The grasp holds: epsilon {:.4f}, {} contacts.", grasp->epsilon,
-                                 grasp->contacts.size());
+    closed.message =
+        fmt::format("The grasp holds: epsilon {:.4f}, {} contacts.", grasp->epsilon, grasp->contacts.size());
   } else {
     closed.message = "The fingers closed, but the grasp does not hold every disturbance; open, and move on.";
   }

@@ -16,12 +16,15 @@
 namespace eigengrasp::server {
 
 /// One online.start, in a thread of its own: prepares the scene, hands the operator's input to the planner in
-/// the order in which it came, and shows what there is at once after a new wrist pose and otherwise 60 times a
-/// second.
+/// the order in which it came, and shows what there is at once after a new wrist pose and otherwise 60 times
+/// a second.
 class OnlineJob {
  public:
   OnlineJob(Services& services, std::shared_ptr<Outlet> outlet, wire::OnlineStart start, std::string session)
-      : services_(services), outlet_(std::move(outlet)), start_(std::move(start)), session_(std::move(session)) {}
+      : services_(services),
+        outlet_(std::move(outlet)),
+        start_(std::move(start)),
+        session_(std::move(session)) {}
 
   /// The thread's work.
   void run();
@@ -39,6 +42,7 @@ class OnlineJob {
   static constexpr std::size_t most_waiting = 256;
 
   void plan_online();
+  void make_planner(const OnlineOptions& options);
   /// Waits until there is input or the time has come; none where the session ended.
   std::optional<std::deque<Input>> wait_until(Clock::time_point time);
   void take(const wire::ClientMessage& message);

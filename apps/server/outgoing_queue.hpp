@@ -25,7 +25,8 @@ class OutgoingQueue {
   /// False where the client is too far behind: it is to be dropped.
   bool push(std::string text, Kind kind);
   bool empty() const { return messages_.empty(); }
-  /// Takes the first; none where there is none. @param views whether a view may be taken; else it is passed over
+  /// Takes the first; none where there is none. @param views whether a view may be taken; else it is passed
+  /// over
   std::optional<Message> pop(bool views = true);
   std::int64_t bytes() const { return bytes_; }
   std::size_t size() const { return messages_.size(); }

@@ -3,10 +3,12 @@
 #include "server/plan_job.hpp"
 
 #include "eigengrasp/wire/message_makers.hpp"
+#include "server/thread_priority.hpp"
 
 namespace eigengrasp::server {
 
 void PlanJob::run() {
+  give_way();
   const auto refuse = [this](wire::ErrorCode code, const char* sentence) {
     if (!abandoned_.load()) outlet_->refuse(code, sentence, wire::PlanStart::type);
   };

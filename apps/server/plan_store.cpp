@@ -62,8 +62,8 @@ HttpReply PlanStore::file(const std::string& id, const std::string& name) const 
   if (!plan) return refusal(404, "there is no such plan; the server keeps the last 32 that ended");
   if (name == "grasps.json")
     return {200, "application/json",
-            grasps_json(make_grasp_file(plan->model->scene(), {.units = "m", .scale = plan->scale}, plan->options,
-                                        plan->result)),
+            grasps_json(make_grasp_file(plan->model->scene(), {.units = "m", .scale = plan->scale},
+                                        plan->options, plan->result)),
             name};
   if (name == "grasps.csv") return {200, "text/csv; charset=utf-8", grasps_csv(plan->result.grasps), name};
   if (name == "grasps.png") return picture_of(*plan);

@@ -11,7 +11,8 @@ namespace eigengrasp::server {
 /// Lets so many events a second pass, and a second's worth at once.
 class RateLimit {
  public:
-  RateLimit(double per_second, Clock::time_point now) : per_second_(per_second), left_(per_second), last_(now) {}
+  RateLimit(double per_second, Clock::time_point now)
+      : per_second_(per_second), left_(per_second), last_(now) {}
 
   bool pass(Clock::time_point now) {
     const double seconds = std::chrono::duration<double>(now - last_).count();

@@ -14,7 +14,9 @@ std::string key_of(const SceneRequest& r) {
 
 }  // namespace
 
-double table_height(const ObjectModel& object) { return bounding_box(object.mesh).min.z(); }
+double table_height(const ObjectModel& object) {
+  return bounding_box(object.mesh).min.z();
+}
 
 std::shared_ptr<const CollisionModel> SceneCache::get(const SceneRequest& request) {
   const std::string key = key_of(request);
@@ -48,7 +50,8 @@ SceneCache::Model SceneCache::prepare(const SceneRequest& request) const {
   Scene scene;
   scene.hand = shelf_.hand(request.hand);
   scene.object = shelf_.object(request.object);
-  if (request.scale != 1.0) scene.object = std::make_shared<ObjectModel>(rescaled(*scene.object, request.scale));
+  if (request.scale != 1.0)
+    scene.object = std::make_shared<ObjectModel>(rescaled(*scene.object, request.scale));
   scene.object_material.name = scene.object->material;
   if (request.table) scene.obstacles.push_back(make_table(table_height(*scene.object)));
   if (request.friction) set_friction(scene, *request.friction);

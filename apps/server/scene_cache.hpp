@@ -29,8 +29,8 @@ class SceneCache {
   explicit SceneCache(const ModelShelf& shelf, std::shared_ptr<PreparationCache> files, int threads)
       : shelf_(shelf), files_(std::move(files)), threads_(threads) {}
 
-  /// Cost: none, or up to some seconds where it has to be prepared; two that ask for the same at the same time
-  /// wait for the same. @throws NotKnown, Error
+  /// Cost: none, or up to some seconds where it has to be prepared; two that ask for the same at the same
+  /// time wait for the same. @throws NotKnown, Error
   std::shared_ptr<const CollisionModel> get(const SceneRequest& request);
 
  private:

@@ -15,7 +15,8 @@ namespace eigengrasp::server {
 namespace {
 
 std::string url_of(const std::string& bind, int port) {
-  if (bind == "0.0.0.0" || bind == "::" || bind == "localhost") return fmt::format("http://127.0.0.1:{}/", port);
+  if (bind == "0.0.0.0" || bind == "::" || bind == "localhost")
+    return fmt::format("http://127.0.0.1:{}/", port);
   if (bind.find(':') != std::string::npos) return fmt::format("http://[{}]:{}/", bind, port);
   return fmt::format("http://{}:{}/", bind, port);
 }

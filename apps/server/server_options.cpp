@@ -19,9 +19,10 @@ std::vector<std::string> ServerOptions::validate() const {
   require(port >= 0 && port <= 65535, fmt::format("--port is {}, expected 0 (any) to 65535", port));
   require(!udp_port || (*udp_port >= 0 && *udp_port <= 65535),
           fmt::format("--udp is {}, expected 0 (any) to 65535", udp_port.value_or(0)));
-  require(is_loopback(bind) || !token.empty(),
-          fmt::format("--bind is {}, which others can reach; expected a --token beside it, or --bind 127.0.0.1",
-                      bind));
+  require(
+      is_loopback(bind) || !token.empty(),
+      fmt::format("--bind is {}, which others can reach; expected a --token beside it, or --bind 127.0.0.1",
+                  bind));
   require(token.empty() || token.size() >= 8,
           fmt::format("--token has {} characters, expected 8 to 256, such as of 'openssl rand -hex 16'",
                       token.size()));

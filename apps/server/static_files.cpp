@@ -18,13 +18,18 @@ namespace {
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{256} << 20;
 
 std::string content_type_of(const fs::path& file) {
-  static const std::map<std::string, std::string> types = {
-      {".html", "text/html; charset=utf-8"}, {".js", "text/javascript; charset=utf-8"},
-      {".css", "text/css; charset=utf-8"},   {".json", "application/json"},
-      {".svg", "image/svg+xml"},             {".png", "image/png"},
-      {".ico", "image/x-icon"},              {".wasm", "application/wasm"},
-      {".woff2", "font/woff2"},              {".map", "application/json"},
-      {".glb", "model/gltf-binary"},         {".txt", "text/plain; charset=utf-8"}};
+  static const std::map<std::string, std::string> types = {{".html", "text/html; charset=utf-8"},
+                                                           {".js", "text/javascript; charset=utf-8"},
+                                                           {".css", "text/css; charset=utf-8"},
+                                                           {".json", "application/json"},
+                                                           {".svg", "image/svg+xml"},
+                                                           {".png", "image/png"},
+                                                           {".ico", "image/x-icon"},
+                                                           {".wasm", "application/wasm"},
+                                                           {".woff2", "font/woff2"},
+                                                           {".map", "application/json"},
+                                                           {".glb", "model/gltf-binary"},
+                                                           {".txt", "text/plain; charset=utf-8"}};
   const auto found = types.find(file.extension().string());
   return found == types.end() ? "application/octet-stream" : found->second;
 }
@@ -32,7 +37,8 @@ std::string content_type_of(const fs::path& file) {
 constexpr const char* kNoApp =
     "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><title>eigengrasp</title>"
     "<p>The server runs, but the web app is not built. Build it with <code>./run serve</code>, or with "
-    "<code>npm ci &amp;&amp; npm run build</code> in the folder <code>viewer</code>, and start the server again; "
+    "<code>npm ci &amp;&amp; npm run build</code> in the folder <code>viewer</code>, and start the server "
+    "again; "
     "or name the folder of a built app with <code>--app</code>.</p></html>\n";
 
 }  // namespace
@@ -48,8 +54,7 @@ StaticFiles::StaticFiles(const fs::path& folder) {
     bytes += entry.file_size();
     if (bytes > kMostBytes) fail("{}: holds more than 256 MB, expected a built web app", folder.string());
     const std::string path = fmt::format("/{}", fs::relative(entry.path(), folder).generic_string());
-    files_[path] = {content_type_of(entry.path()),
-                                                                         read_text_file(entry.path())};
+    files_[path] = {content_type_of(entry.path()), read_text_file(entry.path())};
   }
 }
 

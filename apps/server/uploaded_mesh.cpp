@@ -74,8 +74,8 @@ std::string without(std::string text, const std::string& part, const std::string
 
 }  // namespace
 
-UploadedMesh read_uploaded_mesh(const std::string& file_name, const std::string& units, const std::string& bytes,
-                                std::int64_t max_triangles) {
+UploadedMesh read_uploaded_mesh(const std::string& file_name, const std::string& units,
+                                const std::string& bytes, std::int64_t max_triangles) {
   const std::string ending = ending_of(file_name);
   require_whole(ending, bytes);
   const ScratchFolder scratch;

@@ -18,7 +18,7 @@ struct UploadedMesh {
 /// Reads a mesh that a client sent: OBJ, STL, PLY, OFF or GLB that is whole in itself, each checked in full
 /// while it is read. The file lives in a folder of its own while it is read.
 /// @throws Error, one sentence, which does not name that folder.
-UploadedMesh read_uploaded_mesh(const std::string& file_name, const std::string& units, const std::string& bytes,
-                                std::int64_t max_triangles);
+UploadedMesh read_uploaded_mesh(const std::string& file_name, const std::string& units,
+                                const std::string& bytes, std::int64_t max_triangles);
 
 }  // namespace eigengrasp::server

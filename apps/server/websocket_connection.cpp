@@ -24,7 +24,8 @@ using boost::system::error_code;
 constexpr std::uint64_t kViewsOnTheWay = 8;  ///< at 60 a second: full rate up to 130 ms away
 
 /// Everything but send and close runs on the strand of the stream.
-class WebSocketConnection final : public OpenClient, public std::enable_shared_from_this<WebSocketConnection> {
+class WebSocketConnection final : public OpenClient,
+                                  public std::enable_shared_from_this<WebSocketConnection> {
  public:
   WebSocketConnection(NetworkContext& context, beast::tcp_stream stream,
                       std::vector<std::shared_ptr<void>> tickets)

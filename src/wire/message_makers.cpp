@@ -21,14 +21,22 @@ double drawn(double x) {
   return std::clamp(std::nearbyint(x * kFinest) / kFinest, -kFarthest, kFarthest);
 }
 
-Point drawn_point(const Vec3& p) { return {drawn(p.x()), drawn(p.y()), drawn(p.z())}; }
+Point drawn_point(const Vec3& p) {
+  return {drawn(p.x()), drawn(p.y()), drawn(p.z())};
+}
 
 /// A direction keeps its digits.
-Point direction(const Vec3& n) { return {n.x(), n.y(), n.z()}; }
+Point direction(const Vec3& n) {
+  return {n.x(), n.y(), n.z()};
+}
 
-double bounded(double x) { return std::isfinite(x) ? std::clamp(x, -kLargest, kLargest) : kLargest; }
+double bounded(double x) {
+  return std::isfinite(x) ? std::clamp(x, -kLargest, kLargest) : kLargest;
+}
 
-double not_negative(double x) { return std::max(0.0, bounded(x)); }
+double not_negative(double x) {
+  return std::max(0.0, bounded(x));
+}
 
 /// A name as the schema allows it: 1 to 64 characters.
 std::string wire_name(const std::string& name) {
@@ -53,7 +61,7 @@ Pose between(const Pose& a, const Pose& b, double share) {
 
 Contact contact_message(const GraspContact& contact) {
   return {drawn_point(contact.point.p_OC), direction(contact.point.n_OC), contact.point.mu,
-          contact.point.torsion_length, wire_name(contact.link), contact.patch};
+          contact.point.torsion_length,    wire_name(contact.link),       contact.patch};
 }
 
 OnlineSolution bounded(OnlineSolution s) {
@@ -73,7 +81,9 @@ PoseNumbers pose_numbers(const Pose& X) {
   return {p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z()};
 }
 
-Pose to_pose(const PoseNumbers& n) { return make_pose({n[3], n[4], n[5], n[6]}, {n[0], n[1], n[2]}); }
+Pose to_pose(const PoseNumbers& n) {
+  return make_pose({n[3], n[4], n[5], n[6]}, {n[0], n[1], n[2]});
+}
 
 PoseNumbers drawn_pose(const Pose& X) {
   PoseNumbers numbers = pose_numbers(X);
@@ -127,8 +137,8 @@ View view_message(const HandModel& hand, const OnlineView& view) {
                                                        : posture_poses(hand, hand.rest_posture(), view.X_OH);
   m.preshape = std::clamp(view.preshape, 0.0, 1.0);
   for (const OnlineSolution& s : view.solutions) m.solutions.push_back(bounded(s));
-  m.cone = {drawn_point(view.cone.apex), direction(view.cone.axis), std::clamp(view.cone.half_angle, 0.0, 3.2),
-            drawn(view.cone.nearest), drawn(view.cone.farthest)};
+  m.cone = {drawn_point(view.cone.apex), direction(view.cone.axis),
+            std::clamp(view.cone.half_angle, 0.0, 3.2), drawn(view.cone.nearest), drawn(view.cone.farthest)};
   m.rates = view.rates;
   m.rates.postures_per_second = not_negative(m.rates.postures_per_second);
   m.rates.candidates_per_second = not_negative(m.rates.candidates_per_second);
@@ -138,14 +148,15 @@ View view_message(const HandModel& hand, const OnlineView& view) {
   return m;
 }
 
-PlanResultMessage plan_result_message(const std::string& id, const HandModel& hand, const PlanResult& result) {
+PlanResultMessage plan_result_message(const std::string& id, const HandModel& hand,
+                                      const PlanResult& result) {
   PlanResultMessage m;
   m.id = id;
   m.status = result.status;
   m.stopped_early = result.stopped_early;
   m.explanation = result.explanation;
   for (const Grasp& grasp : result.grasps) m.grasps.push_back(grasp_shape(hand, grasp));
-  m.counts = {result.states.evaluated,      result.states.legal,          result.candidates.tested,
+  m.counts = {result.states.evaluated,       result.states.legal,          result.candidates.tested,
               result.candidates.form_closed, result.candidates.not_closed, result.candidates.no_contact,
               result.candidates.penetrating};
   m.timings = {result.timings.prepare, result.timings.search, result.timings.close, result.timings.volume,
@@ -178,7 +189,9 @@ ObjectEntry object_entry(const std::string& name, const ObjectModel& object, boo
           uploaded};
 }
 
-WristSample wrist_sample(const Wrist& message) { return {message.time, to_pose(message.pose)}; }
+WristSample wrist_sample(const Wrist& message) {
+  return {message.time, to_pose(message.pose)};
+}
 
 std::vector<VariableTarget> variable_targets(const Targets& message) {
   std::vector<VariableTarget> targets;

@@ -102,11 +102,13 @@ std::string joined(const json& values) {
 /// Refuses keywords that would be passed over.
 void require_known_keywords(const json& schema) {
   static const std::set<std::string> known = {
-      "$ref",      "type",     "const",      "enum",     "minimum",  "maximum",     "minLength",
-      "maxLength", "items",    "minItems",   "maxItems", "required", "description", "minProperties",
-      "oneOf",     "default",  "properties", "additionalProperties", "maxProperties"};
+      "$ref",         "type",          "const", "enum",     "minimum",    "maximum",
+      "minLength",    "maxLength",     "items", "minItems", "maxItems",   "required",
+      "description",  "minProperties", "oneOf", "default",  "properties", "additionalProperties",
+      "maxProperties"};
   for (const auto& [key, value] : schema.items()) {
-    if (!known.contains(key)) throw std::logic_error("the schema has the keyword " + key + ", which is not known");
+    if (!known.contains(key))
+      throw std::logic_error("the schema has the keyword " + key + ", which is not known");
     if (key == "properties")
       for (const auto& [name, member] : value.items()) require_known_keywords(member);
     if (key == "items") require_known_keywords(value);
@@ -124,7 +126,8 @@ SchemaChecker::SchemaChecker(std::string_view schema) : schema_(json::parse(sche
 const json& SchemaChecker::resolved(const json& schema) const {
   const json* at = &schema;
   constexpr std::string_view prefix = "#/$defs/";
-  while (at->contains("$ref")) at = &schema_["$defs"].at(at->at("$ref").get<std::string>().substr(prefix.size()));
+  while (at->contains("$ref"))
+    at = &schema_["$defs"].at(at->at("$ref").get<std::string>().substr(prefix.size()));
   return *at;
 }
 
@@ -146,12 +149,14 @@ std::string SchemaChecker::expectation(const json& schema) const {
     return schema[low].dump() + " to " + schema[high].dump();
   };
   if (type == "number" || type == "integer")
-    return fmt::format("{} from {}", type == "number" ? "a number" : "an integer", range("minimum", "maximum"));
+    return fmt::format("{} from {}", type == "number" ? "a number" : "an integer",
+                       range("minimum", "maximum"));
   if (type == "string") return fmt::format("a text of {} characters", range("minLength", "maxLength"));
   if (type == "array") return fmt::format("an array of {} elements", range("minItems", "maxItems"));
   if (type == "boolean") return "true or false";
-  return schema.contains("minProperties") ? fmt::format("an object of {} members", range("minProperties", "maxProperties"))
-                                          : "an object";
+  return schema.contains("minProperties")
+             ? fmt::format("an object of {} members", range("minProperties", "maxProperties"))
+             : "an object";
 }
 
 void SchemaChecker::check(const json& value, const json& reference, const Place& place) const {

@@ -8,10 +8,10 @@
 
 namespace eigengrasp::wire {
 
-/// Holds JSON values against a schema: the part of JSON Schema 2020-12 that schema/wire.schema.json uses. $ref
-/// to $defs, type, const, enum, minimum, maximum, minLength, maxLength, items, minItems, maxItems, properties,
-/// required, additionalProperties false, minProperties, maxProperties, and oneOf of objects that a constant
-/// member "type" tells apart.
+/// Holds JSON values against a schema: the part of JSON Schema 2020-12 that schema/wire.schema.json uses.
+/// $ref to $defs, type, const, enum, minimum, maximum, minLength, maxLength, items, minItems, maxItems,
+/// properties, required, additionalProperties false, minProperties, maxProperties, and oneOf of objects that
+/// a constant member "type" tells apart.
 class SchemaChecker {
  public:
   /// @throws std::logic_error for a schema with other keywords.

@@ -28,7 +28,9 @@ void SessionLogWriter::write_in(const ClientMessage& message) {
   write("in", to_text(kept));
 }
 
-void SessionLogWriter::write_out(std::string_view text) { write("out", text); }
+void SessionLogWriter::write_out(std::string_view text) {
+  write("out", text);
+}
 
 void SessionLogWriter::write(const char* direction, std::string_view text) {
   const std::lock_guard lock(mutex_);

@@ -51,9 +51,8 @@ void replay(const RecordedTask& task, OnlinePlanner& planner, const ReplayOption
   const auto start = std::chrono::steady_clock::now();
   for (const LogLine& line : task.input) {
     if (options.speed > 0.0)
-      std::this_thread::sleep_until(
-          start + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                      std::chrono::duration<double>(line.t / options.speed)));
+      std::this_thread::sleep_until(start + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                                                std::chrono::duration<double>(line.t / options.speed)));
     play(std::get<ClientMessage>(line.message), planner, options);
     if (options.seen) options.seen(planner.update());
   }

@@ -46,7 +46,8 @@ std::string written_reply(const T& reply) {
 }
 
 void require_unit_quaternion(const PoseNumbers& pose) {
-  const double length = std::sqrt(pose[3] * pose[3] + pose[4] * pose[4] + pose[5] * pose[5] + pose[6] * pose[6]);
+  const double length =
+      std::sqrt(pose[3] * pose[3] + pose[4] * pose[4] + pose[5] * pose[5] + pose[6] * pose[6]);
   if (!(std::abs(length - 1.0) <= 0.01))
     fail("wrist: pose: found a quaternion (w, x, y, z) of length {:.4g}, expected length 1", length);
 }
@@ -54,8 +55,7 @@ void require_unit_quaternion(const PoseNumbers& pose) {
 }  // namespace
 
 ClientMessage parse_client_message(std::string_view text, const TextLimits& limits) {
-  ClientMessage message =
-      read_alternative<ClientMessage>(checked_json(text, "ClientMessage", limits));
+  ClientMessage message = read_alternative<ClientMessage>(checked_json(text, "ClientMessage", limits));
   if (const auto* wrist = std::get_if<Wrist>(&message)) require_unit_quaternion(wrist->pose);
   return message;
 }
@@ -64,12 +64,24 @@ ServerMessage parse_server_message(std::string_view text, const TextLimits& limi
   return read_alternative<ServerMessage>(checked_json(text, "ServerMessage", limits));
 }
 
-std::string to_text(const ClientMessage& message) { return written_message(message); }
-std::string to_text(const ServerMessage& message) { return written_message(message); }
-std::string to_text(const Status& reply) { return written_reply(reply); }
-std::string to_text(const UploadReply& reply) { return written_reply(reply); }
-std::string to_text(const ErrorReply& reply) { return written_reply(reply); }
-std::string to_text(const LogList& reply) { return written_reply(reply); }
+std::string to_text(const ClientMessage& message) {
+  return written_message(message);
+}
+std::string to_text(const ServerMessage& message) {
+  return written_message(message);
+}
+std::string to_text(const Status& reply) {
+  return written_reply(reply);
+}
+std::string to_text(const UploadReply& reply) {
+  return written_reply(reply);
+}
+std::string to_text(const ErrorReply& reply) {
+  return written_reply(reply);
+}
+std::string to_text(const LogList& reply) {
+  return written_reply(reply);
+}
 
 std::string_view type_of(const ClientMessage& message) {
   return std::visit([](const auto& m) -> std::string_view { return m.type; }, message);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
-// Says of each line on standard input whether it is sound by an entry of the schema: "ok", or the sentence that
-// says why not. usage: wire_check DEFINITION
+// Says of each line on standard input whether it is sound by an entry of the schema: "ok", or the sentence
+// that says why not. usage: wire_check DEFINITION
 #include <iostream>
 #include <string>
 

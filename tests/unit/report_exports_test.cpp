@@ -12,8 +12,8 @@
 #include "eigengrasp/core/files.hpp"
 #include "eigengrasp/geometry/mesh_io.hpp"
 #include "eigengrasp/report/grasp_glb.hpp"
-#include "eigengrasp/report/model_glb.hpp"
 #include "eigengrasp/report/grasp_tables.hpp"
+#include "eigengrasp/report/model_glb.hpp"
 #include "support/gripper.hpp"
 
 namespace eigengrasp {

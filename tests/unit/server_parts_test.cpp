@@ -20,8 +20,8 @@ namespace {
 TEST(WebAddress, LoopbackIsThisMachineAlone) {
   for (const char* host : {"localhost", "LocalHost", "127.0.0.1", "127.1.2.3", "::1"})
     EXPECT_TRUE(is_loopback(host)) << host;
-  for (const char* host : {"", "0.0.0.0", "10.0.0.1", "localhost.evil.example", "127.0.0.1.evil.example", "127.evil",
-                           "127.0.0", "::2", "example", "1127.0.0.1", "127.0.0.1 "})
+  for (const char* host : {"", "0.0.0.0", "10.0.0.1", "localhost.evil.example", "127.0.0.1.evil.example",
+                           "127.evil", "127.0.0", "::2", "example", "1127.0.0.1", "127.0.0.1 "})
     EXPECT_FALSE(is_loopback(host)) << host;
 }
 
@@ -30,9 +30,9 @@ TEST(WebAddress, OriginsAreTheServersOwnOrLoopback) {
   EXPECT_TRUE(is_own_origin("http://localhost:5173", "127.0.0.1:8080"));
   EXPECT_TRUE(is_own_origin("http://robot.lab:8080", "Robot.Lab:8080"));
   EXPECT_TRUE(is_own_origin("https://[::1]:80", "x"));
-  for (const char* origin : {"http://evil.example", "null", "file://", "http://robot.lab:81", "http://robot.lab",
-                             "http://localhost@evil.example", "http://localhost/", "ftp://localhost", "http://",
-                             "http://[::1", "http://localhost:80?"})
+  for (const char* origin : {"http://evil.example", "null", "file://", "http://robot.lab:81",
+                             "http://robot.lab", "http://localhost@evil.example", "http://localhost/",
+                             "ftp://localhost", "http://", "http://[::1", "http://localhost:80?"})
     EXPECT_FALSE(is_own_origin(origin, "robot.lab:8080")) << origin;
 }
 
@@ -52,13 +52,15 @@ TEST(WebAddress, TargetsAreTakenApartAndDecoded) {
   EXPECT_EQ(target->query.at("flag"), "");
   EXPECT_EQ(parse_target("/a%2Fb")->path, "/a/b");
   EXPECT_EQ(parse_target("/?")->path, "/");
-  for (const char* bad : {"", "x", "http://a/", "/%", "/%2", "/%zz", "/%00", "/a?x=%1"}) EXPECT_FALSE(parse_target(bad)) << bad;
+  for (const char* bad : {"", "x", "http://a/", "/%", "/%2", "/%zz", "/%00", "/a?x=%1"})
+    EXPECT_FALSE(parse_target(bad)) << bad;
 }
 
 TEST(WebAddress, TokensAreEqualOrNot) {
   EXPECT_TRUE(equal_in_constant_time("abc", "abc"));
   EXPECT_TRUE(equal_in_constant_time("", ""));
-  for (const auto& [a, b] : {std::pair{"abc", "abd"}, {"abc", "ab"}, {"ab", "abc"}, {"abcabc", "abc"}, {"", "a"}, {"a", ""}})
+  for (const auto& [a, b] :
+       {std::pair{"abc", "abd"}, {"abc", "ab"}, {"ab", "abc"}, {"abcabc", "abc"}, {"", "a"}, {"a", ""}})
     EXPECT_FALSE(equal_in_constant_time(a, b)) << a << ' ' << b;
 }
 
@@ -117,7 +119,8 @@ TEST(StaticFiles, AreThoseOfTheFolderAndNoOthers) {
   const StaticFiles files(folder / "app");
   EXPECT_EQ(files.reply("/").body, "index");
   EXPECT_EQ(files.reply("/assets/a.js").body, "script");
-  for (const char* path : {"/link", "/../secret", "/assets", "/assets/", "", "//index.html", "/assets/../index.html"})
+  for (const char* path :
+       {"/link", "/../secret", "/assets", "/assets/", "", "//index.html", "/assets/../index.html"})
     EXPECT_EQ(files.reply(path).status, 404) << path;
   EXPECT_EQ(StaticFiles().reply("/").status, 200);
   EXPECT_NE(StaticFiles().reply("/").body.find("./run serve"), std::string::npos);

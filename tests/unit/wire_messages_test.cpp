@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
-// Messages of the wire: written and read again they are the same; what is not sound is refused with a sentence
-// that names place, value and expectation; defaults are those of the planners.
+// Messages of the wire: written and read again they are the same; what is not sound is refused with a
+// sentence that names place, value and expectation; defaults are those of the planners.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -45,7 +45,8 @@ TEST(WireMessages, WhatHasNoValueIsLeftOut) {
 }
 
 TEST(WireMessages, AbsentOptionsAreThePlannersDefaults) {
-  const auto plan = std::get<PlanStart>(parse_client_message(R"({"type":"plan.start","hand":"h","object":"o"})"));
+  const auto plan =
+      std::get<PlanStart>(parse_client_message(R"({"type":"plan.start","hand":"h","object":"o"})"));
   const PlanOptions planned = plan_options(plan);
   const PlanOptions plain;
   EXPECT_EQ(planned.iterations, plain.iterations);
@@ -87,7 +88,8 @@ TEST(WireMessages, ALongForeignTextIsCutWhereACharacterEnds) {
   const std::string sentence = sentence_of("{\"type\":\"" + umlauts + "\"}");
   EXPECT_LT(sentence.size(), 600u);
   ErrorMessage error{ErrorCode::bad_message, sentence, {}};
-  EXPECT_THAT(to_text(ServerMessage(error)), ::testing::Not(HasSubstr("\xEF\xBF\xBD")));  // no broken character
+  EXPECT_THAT(to_text(ServerMessage(error)),
+              ::testing::Not(HasSubstr("\xEF\xBF\xBD")));  // no broken character
 }
 
 TEST(WireMessages, NumbersThatAreNotFiniteAreNotWritten) {

@@ -62,13 +62,18 @@ TEST(SessionLog, HoldsWhatCameInAndWentOutButNoToken) {
 
 TEST(SessionLog, ALastLineThatWasCutOffIsLeftOut) {
   const auto file = scratch("cut.jsonl");
-  std::ofstream(file) << R"({"t":0.5,"in":{"type":"online.stop"}})" << "\n" << R"({"t":0.6,"in":{"type":)";
+  std::ofstream(file) << R"({"t":0.5,"in":{"type":"online.stop"}})"
+                      << "\n"
+                      << R"({"t":0.6,"in":{"type":)";
   EXPECT_EQ(read_session_log(file).size(), 1u);
 }
 
 TEST(SessionLog, ABadLineIsNamedByFileAndNumber) {
   const auto file = scratch("bad.jsonl");
-  std::ofstream(file) << R"({"t":0,"in":{"type":"online.stop"}})" << "\n" << R"({"t":1,"in":{"type":"x"}})" << "\n";
+  std::ofstream(file) << R"({"t":0,"in":{"type":"online.stop"}})"
+                      << "\n"
+                      << R"({"t":1,"in":{"type":"x"}})"
+                      << "\n";
   try {
     read_session_log(file);
     FAIL() << "was read";
@@ -94,11 +99,11 @@ TEST(SessionLog, AFolderThatIsNotThereIsASentence) {
 
 TEST(SessionReplay, TasksGoFromStartToStartOrStop) {
   const std::vector<LogLine> log = {
-      {0.0, ClientMessage(wrist_at(0, 0))},        {1.0, ClientMessage(start_of("a"))},
-      {1.5, ServerMessage(OnlineStopped{"s1"})},   {2.0, ClientMessage(wrist_at(7, 0.1))},
-      {2.5, ClientMessage(Command{})},             {3.0, ClientMessage(OnlineStop{})},
-      {3.5, ClientMessage(wrist_at(8, 0.2))},      {4.0, ClientMessage(start_of("b"))},
-      {4.5, ClientMessage(start_of("c"))},         {5.0, ClientMessage(Targets{})}};
+      {0.0, ClientMessage(wrist_at(0, 0))},      {1.0, ClientMessage(start_of("a"))},
+      {1.5, ServerMessage(OnlineStopped{"s1"})}, {2.0, ClientMessage(wrist_at(7, 0.1))},
+      {2.5, ClientMessage(Command{})},           {3.0, ClientMessage(OnlineStop{})},
+      {3.5, ClientMessage(wrist_at(8, 0.2))},    {4.0, ClientMessage(start_of("b"))},
+      {4.5, ClientMessage(start_of("c"))},       {5.0, ClientMessage(Targets{})}};
   const auto tasks = recorded_tasks(log);
   ASSERT_EQ(tasks.size(), 3u);
   EXPECT_EQ(tasks[0].start.hand, "a");
@@ -114,7 +119,8 @@ TEST(SessionReplay, ThePlannerSeesEveryWristInItsOrder) {
   set_collision_pairs(*hand, {});
   const Scene scene = testing::scene_of(hand, testing::solid(testing::box_mesh({0.03, 0.035, 0.04})));
   RecordedTask task{start_of("two"), {}};
-  for (int i = 0; i < 5; ++i) task.input.push_back({0.01 * i, ClientMessage(wrist_at(0.1 * i, 0.5 - 0.01 * i))});
+  for (int i = 0; i < 5; ++i)
+    task.input.push_back({0.01 * i, ClientMessage(wrist_at(0.1 * i, 0.5 - 0.01 * i))});
   task.input.push_back({0.05, ClientMessage(Command{OperatorCommand::close, {}})});
   OnlinePlanner planner(scene, online_options(task.start));
   std::vector<double> seen;

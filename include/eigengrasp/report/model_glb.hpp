@@ -9,9 +9,9 @@
 
 namespace eigengrasp {
 
-/// A hand as binary glTF 2.0 [m], to be posed by whoever draws it: one node for each link with geometry, below
-/// the root "hand", with the link's name, its mesh in the link frame, at the identity. Axes as they stand: z is
-/// not turned to glTF's y.
+/// A hand as binary glTF 2.0 [m], to be posed by whoever draws it: one node for each link with geometry,
+/// below the root "hand", with the link's name, its mesh in the link frame, at the identity. Axes as they
+/// stand: z is not turned to glTF's y.
 std::string hand_glb(const HandModel& hand);
 
 /// An object likewise: one node "object" below the root "scene", in the object frame.

@@ -122,8 +122,8 @@ struct SolutionGet {
   std::uint64_t id = 0;
 };
 
-using ClientMessage = std::variant<Hello, PlanStart, PlanStop, OnlineStart, OnlineStop, Wrist, Targets, Command,
-                                   SolutionGet>;
+using ClientMessage =
+    std::variant<Hello, PlanStart, PlanStop, OnlineStart, OnlineStop, Wrist, Targets, Command, SolutionGet>;
 
 // What the server sends.
 
@@ -272,7 +272,8 @@ struct SolutionReply {
   std::optional<GraspShape> grasp;
 };
 
-using ServerMessage = std::variant<Welcome, ErrorMessage, PlanStarted, PlanProgressMessage, PlanMilestone,
-                                   PlanResultMessage, OnlineReady, OnlineStopped, View, Closed, SolutionReply>;
+using ServerMessage =
+    std::variant<Welcome, ErrorMessage, PlanStarted, PlanProgressMessage, PlanMilestone, PlanResultMessage,
+                 OnlineReady, OnlineStopped, View, Closed, SolutionReply>;
 
 }  // namespace eigengrasp::wire

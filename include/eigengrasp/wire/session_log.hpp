@@ -27,7 +27,8 @@ class SessionLogWriter {
  public:
   /// @param max_bytes beyond which nothing more is written
   /// @throws Error where the file cannot be made.
-  explicit SessionLogWriter(const std::filesystem::path& file, std::int64_t max_bytes = std::int64_t{256} << 20);
+  explicit SessionLogWriter(const std::filesystem::path& file,
+                            std::int64_t max_bytes = std::int64_t{256} << 20);
 
   /// A hello is kept without its token.
   void write_in(const ClientMessage& message);

@@ -41,6 +41,7 @@ std::string_view schema_text();
 
 /// Whether a JSON text is sound by an entry of the schema's $defs.
 /// @throws Error as parse_client_message, or where there is no such entry.
-void require_schema(std::string_view text, std::string_view definition, const TextLimits& limits = kServerText);
+void require_schema(std::string_view text, std::string_view definition,
+                    const TextLimits& limits = kServerText);
 
 }  // namespace eigengrasp::wire
