@@ -18,7 +18,12 @@ const { values } = parseArgs({ options: { program: { type: "string" }, only: { t
 const secret = "correct-horse";
 
 type Scenario = (stage: Stage) => Promise<void>;
-const scenarios: Record<string, Scenario> = { ...load, ...plan, ...interactive, token: (stage) => token(stage, secret) };
+const scenarios: Record<string, Scenario> = {
+  ...load,
+  ...plan,
+  ...interactive,
+  token: (stage) => token(stage, secret),
+};
 
 async function make_target(name: string): Promise<Target> {
   const port = await free_port();

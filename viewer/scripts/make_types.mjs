@@ -23,13 +23,17 @@ function plain_references(node) {
 
 export async function make_types() {
   const { $defs, title, description } = plain_references(JSON.parse(readFileSync(schema_file, "utf8")));
-  const text = await compile({ title: "Wire", description: `${title}. ${description}`, type: "object", $defs }, "Wire", {
-    additionalProperties: false,
-    bannerComment: header,
-    unreachableDefinitions: true,
-    maxItems: 7,
-    style: { printWidth: 110 },
-  });
+  const text = await compile(
+    { title: "Wire", description: `${title}. ${description}`, type: "object", $defs },
+    "Wire",
+    {
+      additionalProperties: false,
+      bannerComment: header,
+      unreachableDefinitions: true,
+      maxItems: 7,
+      style: { printWidth: 110 },
+    },
+  );
   return text
     .replace(/^ \* (via the `definition`|This interface was referenced by|@m(in|ax)Items).*\n/gm, "")
     .replace(/^( +\*\n)+(?= +\*\/)/gm, "")

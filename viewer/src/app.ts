@@ -4,6 +4,7 @@ import { Signal } from "./core/signal";
 import { parse_hash, page_route } from "./core/route";
 import { recall, remember } from "./core/session_state";
 import { ModelLibrary } from "./scene/models";
+import { quality_choice } from "./scene/frame_budget";
 import { Stage } from "./scene/stage";
 import { type BenchScene, Workbench } from "./scene/workbench";
 import { Api } from "./wire/api";
@@ -36,7 +37,7 @@ export class App {
   constructor(view: HTMLElement, token: string | undefined) {
     this.api.token = token;
     this.connection = new Connection(socket_url(location), token);
-    this.stage = new Stage(view, new URLSearchParams(location.search).get("quality") !== "fine");
+    this.stage = new Stage(view, quality_choice(location.search));
     this.bench = new Workbench(this.stage, this.models);
     this.choice.watch((choice) => remember("choice", choice));
     this.connection.state.watch((state) => {
@@ -78,7 +79,12 @@ export class App {
 
   private stage_shows(choice: SceneChoice): boolean {
     const shown = this.scene.value;
-    return shown?.hand.name === choice.hand && shown.object.name === choice.object && shown.scale === choice.scale && shown.table === choice.table;
+    return (
+      shown?.hand.name === choice.hand &&
+      shown.object.name === choice.object &&
+      shown.scale === choice.scale &&
+      shown.table === choice.table
+    );
   }
 
   report(problem: unknown): void {

@@ -29,7 +29,9 @@ function begin(): void {
   app.status.watch(() => {
     if (app.choice.value && app.page.value !== "replay") void app.show_scene(app.choice.value);
   });
-  app.scene.watch((scene) => { view.dataset["ready"] = String(scene !== undefined); });
+  app.scene.watch((scene) => {
+    view.dataset["ready"] = String(scene !== undefined);
+  });
   app.connection.open();
 }
 
@@ -40,8 +42,11 @@ function lay_out(app: App, view: HTMLElement, pages: Record<string, Page>): void
   const over = h("div", {});
   const legend = h("div", { class: "legend" });
   view.append(over, legend, view_tools(app));
-  document.body.append(header(app, link_state(app)), banners(app),
-    h("main", {}, setup_panel(app), h("div", { class: "centre" }, view, charts), right));
+  document.body.append(
+    header(app, link_state(app)),
+    banners(app),
+    h("main", {}, setup_panel(app), h("div", { class: "centre" }, view, charts), right),
+  );
   let current: Page | undefined;
   app.page.watch((name) => {
     const next = pages[name];
@@ -57,8 +62,15 @@ function lay_out(app: App, view: HTMLElement, pages: Record<string, Page>): void
 }
 
 function view_tools(app: App): HTMLElement {
-  return h("div", { class: "view-tools" },
-    h("button", { type: "button", title: "Frame hand and object", id: "view-home", onclick: () => app.bench.look_home() }, "Home"));
+  return h(
+    "div",
+    { class: "view-tools" },
+    h(
+      "button",
+      { type: "button", title: "Frame hand and object", id: "view-home", onclick: () => app.bench.look_home() },
+      "Home",
+    ),
+  );
 }
 
 /** The operator finds his view again after a reload. */

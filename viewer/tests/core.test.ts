@@ -8,7 +8,15 @@ import { degrees, duration, fixed, millimetres, short_count } from "../src/core/
 import { History, sample_of } from "../src/core/history";
 import { home_pose, open_hand } from "../src/core/home_pose";
 import { compact_plan, ranked, thinned } from "../src/core/plan_state";
-import { along_path, compose, interpolate_pose, links_apart, position_of, rotation_of, to_matrix } from "../src/core/pose";
+import {
+  along_path,
+  compose,
+  interpolate_pose,
+  links_apart,
+  position_of,
+  rotation_of,
+  to_matrix,
+} from "../src/core/pose";
 import { parse_hash } from "../src/core/route";
 import { SenderClock, Spread } from "../src/core/sender_clock";
 import { Signal } from "../src/core/signal";
@@ -17,7 +25,7 @@ import { Glide } from "../src/input/glide";
 import { wish_of_keys } from "../src/input/keyboard";
 import { add_wishes, moved, still } from "../src/input/wrist_motion";
 import { newest_at, parse_log } from "../src/log/session_log";
-import { FrameBudget } from "../src/scene/frame_budget";
+import { FrameBudget, quality_choice } from "../src/scene/frame_budget";
 import { cone_half_angle, contact_matrix } from "../src/scene/marks";
 import type { Contact, Grasp, Pose } from "../src/wire/messages";
 import { barrett_like, glass_like, human_like, links_at, plate_like, view_at } from "./samples";
@@ -28,7 +36,9 @@ describe("poses", () => {
   it("compose as matrices do", () => {
     const other: Pose = [0.3, -0.2, 0.5, 0.5, 0.5, -0.5, 0.5];
     const product = to_matrix(quarter).multiply(to_matrix(other));
-    to_matrix(compose(quarter, other)).elements.forEach((value, i) => expect(value).toBeCloseTo(product.elements[i]!, 12));
+    to_matrix(compose(quarter, other)).elements.forEach((value, i) =>
+      expect(value).toBeCloseTo(product.elements[i]!, 12),
+    );
   });
 
   it("go the shorter way round between q and -q", () => {
@@ -69,8 +79,12 @@ describe("following views", () => {
 });
 
 describe("where the wrist begins", () => {
-  it.each([["human", human_like, glass_like, 1], ["gripper", barrett_like, glass_like, 2], ["human from above", human_like, plate_like, 1],
-    ["gripper from above", barrett_like, plate_like, 0.5]] as const)("%s: the palm faces the middle of the object and is off it", (_name, hand, object, scale) => {
+  it.each([
+    ["human", human_like, glass_like, 1],
+    ["gripper", barrett_like, glass_like, 2],
+    ["human from above", human_like, plate_like, 1],
+    ["gripper from above", barrett_like, plate_like, 0.5],
+  ] as const)("%s: the palm faces the middle of the object and is off it", (_name, hand, object, scale) => {
     const pose = home_pose(hand, object, scale);
     const palm = new Vector3(...hand.approach_direction).applyQuaternion(rotation_of(pose));
     const point = new Vector3(...hand.approach_point).applyQuaternion(rotation_of(pose)).add(position_of(pose));
@@ -181,8 +195,15 @@ describe("history", () => {
 });
 
 describe("grasps", () => {
-  const grasp = (form_closure: boolean, epsilon: number, energy: number): Grasp =>
-    ({ form_closure, epsilon, energy, volume: 0, max_penetration: 0, closing: [links_at(0), links_at(0.123456789)], contacts: [] });
+  const grasp = (form_closure: boolean, epsilon: number, energy: number): Grasp => ({
+    form_closure,
+    epsilon,
+    energy,
+    volume: 0,
+    max_penetration: 0,
+    closing: [links_at(0), links_at(0.123456789)],
+    contacts: [],
+  });
 
   it("are ranked by epsilon, those without closure last by energy, numbers kept", () => {
     const list = [grasp(false, 0, 2), grasp(true, 0.1, 1), grasp(false, 0, 1), grasp(true, 0.3, 5)];
@@ -196,10 +217,29 @@ describe("grasps", () => {
 
   it("a plan that is kept is small and shows the same within 0.01 mm", () => {
     const closing = Array.from({ length: 33 }, (_, i) => links_at(i / 37)) as Grasp["closing"];
-    const plan = { id: "p", hand: "h", object: "o", scale: 1, table: false, running: true, iterations: 1, total: 1, seconds: 1, trace: [], milestones: [],
-      result: { type: "plan.result" as const, id: "p", status: "found" as const, stopped_early: false, explanation: "", grasps: [{ ...grasp(true, 1, 1), closing }],
+    const plan = {
+      id: "p",
+      hand: "h",
+      object: "o",
+      scale: 1,
+      table: false,
+      running: true,
+      iterations: 1,
+      total: 1,
+      seconds: 1,
+      trace: [],
+      milestones: [],
+      result: {
+        type: "plan.result" as const,
+        id: "p",
+        status: "found" as const,
+        stopped_early: false,
+        explanation: "",
+        grasps: [{ ...grasp(true, 1, 1), closing }],
         counts: { states: 1, legal: 1, tested: 1, form_closed: 1, not_closed: 0, no_contact: 0, penetrating: 0 },
-        timings: { prepare: 0, search: 0, close: 0, volume: 0, total: 0 } } };
+        timings: { prepare: 0, search: 0, close: 0, volume: 0, total: 0 },
+      },
+    };
     const kept = compact_plan(plan);
     const steps = kept.result!.grasps[0]!.closing;
     expect(kept.running).toBe(false);
@@ -209,7 +249,14 @@ describe("grasps", () => {
 });
 
 describe("friction cones", () => {
-  const contact: Contact = { point: [0.1, 0.2, 0.3], normal: [0, 0, -1], friction: 0.75, torsion_length: 0, link: "tip", patch: 0 };
+  const contact: Contact = {
+    point: [0.1, 0.2, 0.3],
+    normal: [0, 0, -1],
+    friction: 0.75,
+    torsion_length: 0,
+    link: "tip",
+    patch: 0,
+  };
 
   it("have the half angle atan(mu) about the normal, the tip at the contact", () => {
     expect(cone_half_angle(1)).toBeCloseTo(Math.PI / 4, 12);
@@ -232,12 +279,22 @@ describe("logs", () => {
 
   it("times are looked up as a linear search does", () => {
     const list = [0, 0.5, 0.5, 2].map((t) => ({ t }));
-    for (const t of [-1, 0, 0.2, 0.5, 1, 2, 3]) expect(newest_at(list, t)).toBe(list.filter((one) => one.t <= t).length - 1);
+    for (const t of [-1, 0, 0.2, 0.5, 1, 2, 3])
+      expect(newest_at(list, t)).toBe(list.filter((one) => one.t <= t).length - 1);
     expect(newest_at([], 1)).toBe(-1);
   });
 });
 
 describe("frame budget", () => {
+  it.each([
+    ["?quality=fine", "fine"],
+    ["?quality=fast", "fast"],
+    ["", "auto"],
+    ["?quality=other", "auto"],
+  ])("address %j asks for %s", (search, choice) => {
+    expect(quality_choice(search)).toBe(choice);
+  });
+
   it("goes down after several slow frames in a row only, and not below the last level", () => {
     const budget = new FrameBudget(1);
     const feed = (...costs: number[]) => costs.map((cost) => budget.add(cost)).includes(true);
@@ -249,10 +306,26 @@ describe("frame budget", () => {
 });
 
 describe("figures", () => {
-  it.each([[0, "0"], [999, "999"], [1000, "1.00 k"], [45678, "45.7 k"], [999999, "1.00 M"], [1234567, "1.23 M"], [2.5e9, "2.50 G"], [undefined, "–"], [NaN, "–"]])(
-    "count %s", (value, text) => expect(short_count(value)).toBe(text));
-  it.each([[0.0042, "4.2 ms"], [0.25, "250 ms"], [0.9999, "1.0 s"], [12.34, "12.3 s"], [125, "2 min 05 s"], [119.99, "2 min 00 s"], [undefined, "–"]])(
-    "duration %s", (value, text) => expect(duration(value)).toBe(text));
+  it.each([
+    [0, "0"],
+    [999, "999"],
+    [1000, "1.00 k"],
+    [45678, "45.7 k"],
+    [999999, "1.00 M"],
+    [1234567, "1.23 M"],
+    [2.5e9, "2.50 G"],
+    [undefined, "–"],
+    [NaN, "–"],
+  ])("count %s", (value, text) => expect(short_count(value)).toBe(text));
+  it.each([
+    [0.0042, "4.2 ms"],
+    [0.25, "250 ms"],
+    [0.9999, "1.0 s"],
+    [12.34, "12.3 s"],
+    [125, "2 min 05 s"],
+    [119.99, "2 min 00 s"],
+    [undefined, "–"],
+  ])("duration %s", (value, text) => expect(duration(value)).toBe(text));
   it("no minus before zero, units behind", () => {
     expect(fixed(-0.0001, 2)).toBe("0.00");
     expect(millimetres(0.0123, 1)).toBe("12.3 mm");
@@ -267,8 +340,15 @@ describe("figures", () => {
 });
 
 describe("address", () => {
-  it.each([["", "plan", undefined], ["#interactive", "interactive", undefined], ["#token=a%20b", "plan", "a b"], ["#replay&token=x", "replay", "x"],
-    ["#nonsense", "plan", undefined], ["#token=%E0%A4%A", "plan", "%E0%A4%A"], ["#token=", "plan", undefined]])("%j", (hash, page, token) => {
+  it.each([
+    ["", "plan", undefined],
+    ["#interactive", "interactive", undefined],
+    ["#token=a%20b", "plan", "a b"],
+    ["#replay&token=x", "replay", "x"],
+    ["#nonsense", "plan", undefined],
+    ["#token=%E0%A4%A", "plan", "%E0%A4%A"],
+    ["#token=", "plan", undefined],
+  ])("%j", (hash, page, token) => {
     expect(parse_hash(hash)).toEqual({ page, token });
   });
 });

@@ -14,7 +14,10 @@ import { is_server_message, parse_server_message } from "../src/wire/parse";
 import { barrett_like, glass_like, view_at } from "./samples";
 
 const schema_file = new URL("../../schema/wire.schema.json", import.meta.url);
-const schema = JSON.parse(readFileSync(schema_file, "utf8")) as { $id: string; $defs: Record<string, { oneOf?: { $ref: string }[] }> };
+const schema = JSON.parse(readFileSync(schema_file, "utf8")) as {
+  $id: string;
+  $defs: Record<string, { oneOf?: { $ref: string }[] }>;
+};
 const ajv = new Ajv2020({ allErrors: true, strict: false });
 ajv.addSchema(schema);
 
@@ -32,7 +35,9 @@ describe("types and schema", () => {
 
   it("every type of server message that the schema has is understood, and no other", () => {
     const names = schema.$defs["ServerMessage"]!.oneOf!.map((one) => one.$ref.split("/").at(-1)!);
-    const types = names.map((name) => (schema.$defs[name] as { properties: { type: { const: string } } }).properties.type.const);
+    const types = names.map(
+      (name) => (schema.$defs[name] as { properties: { type: { const: string } } }).properties.type.const,
+    );
     expect(types.length).toBeGreaterThan(5);
     for (const type of types) expect(is_server_message({ type })).toBe(true);
     expect(is_server_message({ type: "toString" })).toBe(false);
@@ -43,8 +48,22 @@ describe("messages that the app sends fit the schema", () => {
   const pose = home_pose(barrett_like, glass_like, 1);
   const messages: ClientMessage[] = [
     { type: "hello", protocol: 1, role: "app", token: "secret" },
-    { type: "plan.start", hand: "human", object: "glass", scale: 1.5, table: true,
-      options: { iterations: 70000, grasps: 20, seed: 1, search: "staged", energy: "contact", amplitudes: 2, friction: 0.5 } },
+    {
+      type: "plan.start",
+      hand: "human",
+      object: "glass",
+      scale: 1.5,
+      table: true,
+      options: {
+        iterations: 70000,
+        grasps: 20,
+        seed: 1,
+        search: "staged",
+        energy: "contact",
+        amplitudes: 2,
+        friction: 0.5,
+      },
+    },
     { type: "plan.stop" },
     { type: "online.start", hand: "human", object: "glass", scale: 1, table: false },
     { type: "online.stop" },
@@ -113,7 +132,8 @@ describe("reconnecting", () => {
 
 describe("a plan", () => {
   const order = { scale: 1, table: false };
-  const play = (messages: ServerMessage[]) => messages.reduce<ReturnType<typeof next_plan>>((state, message) => next_plan(state, message, order), undefined);
+  const play = (messages: ServerMessage[]) =>
+    messages.reduce<ReturnType<typeof next_plan>>((state, message) => next_plan(state, message, order), undefined);
   const links = view_at(0).link_poses;
 
   it("gathers its trace and keeps milestones in order, better and better", () => {
@@ -126,7 +146,11 @@ describe("a plan", () => {
       { type: "plan.progress", id: "p1", iterations: 500, total: 1000, seconds: 0.4, best_energy: 1 },
       { type: "plan.progress", id: "another", iterations: 900, total: 1000, seconds: 9, best_energy: 0 },
     ]);
-    expect(plan?.milestones.map((one) => [one.iteration, one.energy])).toEqual([[50, 3], [200, 2], [400, 1]]);
+    expect(plan?.milestones.map((one) => [one.iteration, one.energy])).toEqual([
+      [50, 3],
+      [200, 2],
+      [400, 1],
+    ]);
     expect(plan?.trace).toEqual([{ iteration: 500, energy: 1 }]);
     expect(plan?.iterations).toBe(500);
     expect(plan?.running).toBe(true);
@@ -135,9 +159,21 @@ describe("a plan", () => {
 
 describe("the trace of a plan", () => {
   it("merges progress and best states; the best so far never rises", () => {
-    const rows = trace_rows([{ iteration: 10, energy: 5 }, { iteration: 30, energy: 7 }], [{ iteration: 20, energy: 4 }, { iteration: 30, energy: 3 }]);
-    expect(rows).toEqual([{ iteration: 10, now: 5, best: 5, state: null }, { iteration: 20, now: null, best: 4, state: 4 },
-      { iteration: 30, now: 7, best: 3, state: 3 }]);
+    const rows = trace_rows(
+      [
+        { iteration: 10, energy: 5 },
+        { iteration: 30, energy: 7 },
+      ],
+      [
+        { iteration: 20, energy: 4 },
+        { iteration: 30, energy: 3 },
+      ],
+    );
+    expect(rows).toEqual([
+      { iteration: 10, now: 5, best: 5, state: null },
+      { iteration: 20, now: null, best: 4, state: 4 },
+      { iteration: 30, now: 7, best: 3, state: 3 },
+    ]);
   });
 });
 

@@ -69,16 +69,30 @@ export function make_grasp(hand: MockHand, surface: Surface, center: Vector3, X_
     const place = middle(hand.shapes.get(link)!).applyMatrix4(to_matrix(last[hand.links.indexOf(link)]!));
     const { point } = distance_to(surface, place);
     const normal = point.clone().sub(place).normalize();
-    return { point: point.toArray(), normal: (normal.lengthSq() > 0 ? normal : center.clone().sub(point).normalize()).toArray() as Vec3,
-      friction: 0.6 + 0.4 * random(), torsion_length: 0.004, link, patch };
+    return {
+      point: point.toArray(),
+      normal: (normal.lengthSq() > 0 ? normal : center.clone().sub(point).normalize()).toArray() as Vec3,
+      friction: 0.6 + 0.4 * random(),
+      torsion_length: 0.004,
+      link,
+      patch,
+    };
   });
   const form_closure = contacts.length >= 3;
-  return { form_closure, epsilon: form_closure ? 0.02 + 0.2 * random() : 0, volume: form_closure ? random() : 0,
-    energy: 0.2 + random(), max_penetration: 2e-4 * random(), closing: path as unknown as Grasp["closing"], contacts };
+  return {
+    form_closure,
+    epsilon: form_closure ? 0.02 + 0.2 * random() : 0,
+    volume: form_closure ? random() : 0,
+    energy: 0.2 + random(),
+    max_penetration: 2e-4 * random(),
+    closing: path as unknown as Grasp["closing"],
+    contacts,
+  };
 }
 
 function middle(shape: Surface): Vector3 {
   const sum = new Vector3();
-  for (let i = 0; i < shape.points.length; i += 3) sum.add(new Vector3(shape.points[i], shape.points[i + 1], shape.points[i + 2]));
+  for (let i = 0; i < shape.points.length; i += 3)
+    sum.add(new Vector3(shape.points[i], shape.points[i + 1], shape.points[i + 2]));
   return sum.divideScalar(shape.points.length / 3);
 }

@@ -34,15 +34,24 @@ export class MockHand {
   private readonly joints: Joint[];
   private readonly title: string;
 
-  constructor(readonly name: string, folder: string) {
+  constructor(
+    readonly name: string,
+    folder: string,
+  ) {
     const yaml = readFileSync(path.join(folder, "hand.yaml"), "utf8");
     const urdf = readFileSync(path.join(folder, /^urdf: *(\S+)/m.exec(yaml)![1]!), "utf8");
     this.title = /^title: *(.+)/m.exec(yaml)?.[1] ?? name;
     this.links = [...urdf.matchAll(/<link name="([^"]+)"/g)].map((match) => match[1]!);
     this.joints = read_joints(urdf);
-    this.dofs = [...yaml.matchAll(/- \{joint: *(\w+), *closing_speed: *([-\d.]+)(?:.*?rest: *([-\d.]+))?/g)].map((match) => ({
-      joint: match[1]!, speed: Number(match[2]), rest: Number(match[3] ?? 0) }));
-    const vector = (key: string) => new Vector3(...(new RegExp(`^  ${key}: *\\[([^\\]]+)\\]`, "m").exec(yaml)![1]!.split(",").map(Number) as Vec3));
+    this.dofs = [...yaml.matchAll(/- \{joint: *(\w+), *closing_speed: *([-\d.]+)(?:.*?rest: *([-\d.]+))?/g)].map(
+      (match) => ({
+        joint: match[1]!,
+        speed: Number(match[2]),
+        rest: Number(match[3] ?? 0),
+      }),
+    );
+    const vector = (key: string) =>
+      new Vector3(...(new RegExp(`^  ${key}: *\\[([^\\]]+)\\]`, "m").exec(yaml)![1]!.split(",").map(Number) as Vec3));
     this.approach = { point: vector("point"), direction: vector("direction").normalize() };
     for (const match of urdf.matchAll(/<link name="([^"]+)">(.*?)<\/link>/gs)) {
       const file = /<mesh filename="([^"]+)"/.exec(match[2]!)?.[1];
@@ -66,10 +75,14 @@ export class MockHand {
   poses(X_OH: Matrix4, dofs: ReadonlyMap<string, number>): LinkPoses {
     const placed = new Map<string, Matrix4>([[this.links[0]!, X_OH]]);
     for (const joint of this.joints) {
-      const value = joint.mimic ? joint.mimic.ratio * (dofs.get(joint.mimic.joint) ?? 0) + joint.mimic.offset : dofs.get(joint.name) ?? 0;
-      const motion = joint.fixed ? new Matrix4()
-        : joint.prismatic ? new Matrix4().setPosition(joint.axis.clone().multiplyScalar(value))
-        : new Matrix4().makeRotationAxis(joint.axis, value);
+      const value = joint.mimic
+        ? joint.mimic.ratio * (dofs.get(joint.mimic.joint) ?? 0) + joint.mimic.offset
+        : (dofs.get(joint.name) ?? 0);
+      const motion = joint.fixed
+        ? new Matrix4()
+        : joint.prismatic
+          ? new Matrix4().setPosition(joint.axis.clone().multiplyScalar(value))
+          : new Matrix4().makeRotationAxis(joint.axis, value);
       placed.set(joint.child, placed.get(joint.parent)!.clone().multiply(joint.X_PJ).multiply(motion));
     }
     return this.links.map((link) => to_pose(placed.get(link)!)) as LinkPoses;
@@ -80,9 +93,18 @@ export class MockHand {
   }
 
   describe(): Hand {
-    return { name: this.name, title: this.title, n_dof: this.dofs.length, n_links: this.links.length, eigengrasps: 2,
-      links: this.links as Hand["links"], rest: this.poses(new Matrix4(), this.rest()), reach: 0.23,
-      approach_point: this.approach.point.toArray(), approach_direction: this.approach.direction.toArray() };
+    return {
+      name: this.name,
+      title: this.title,
+      n_dof: this.dofs.length,
+      n_links: this.links.length,
+      eigengrasps: 2,
+      links: this.links as Hand["links"],
+      rest: this.poses(new Matrix4(), this.rest()),
+      reach: 0.23,
+      approach_point: this.approach.point.toArray(),
+      approach_direction: this.approach.direction.toArray(),
+    };
   }
 }
 
@@ -95,26 +117,42 @@ export function to_pose(matrix: Matrix4): Pose {
 }
 
 export function to_matrix(pose: Pose): Matrix4 {
-  return new Matrix4().compose(new Vector3(pose[0], pose[1], pose[2]), new Quaternion(pose[4], pose[5], pose[6], pose[3]), new Vector3(1, 1, 1));
+  return new Matrix4().compose(
+    new Vector3(pose[0], pose[1], pose[2]),
+    new Quaternion(pose[4], pose[5], pose[6], pose[3]),
+    new Vector3(1, 1, 1),
+  );
 }
 
 /** Joints, each after that of its parent. */
 function read_joints(urdf: string): Joint[] {
   const numbers = (text: string | undefined) => (text ?? "0 0 0").trim().split(/\s+/).map(Number) as Vec3;
-  const list = [...urdf.matchAll(/<joint name="([^"]+)" type="([^"]+)">(.*?)<\/joint>/gs)].map(([, name, type, body]) => {
-    const value = (pattern: RegExp) => pattern.exec(body!)?.[1];
-    const mimic = value(/<mimic joint="([^"]+)"/);
-    const turn = numbers(value(/<origin[^>]*rpy="([^"]+)"/));
-    const X_PJ = new Matrix4().makeRotationFromEuler(new Euler(turn[0], turn[1], turn[2], "ZYX"));
-    return {
-      name: name!, parent: value(/<parent link="([^"]+)"/)!, child: value(/<child link="([^"]+)"/)!,
-      X_PJ: X_PJ.setPosition(new Vector3(...numbers(value(/<origin[^>]*xyz="([^"]+)"/)))),
-      axis: new Vector3(...numbers(value(/<axis xyz="([^"]+)"/) ?? "0 0 1")).normalize(),
-      prismatic: type === "prismatic", fixed: type === "fixed",
-      lower: Number(value(/lower="([^"]+)"/) ?? 0), upper: Number(value(/upper="([^"]+)"/) ?? 0),
-      mimic: mimic ? { joint: mimic, ratio: Number(value(/multiplier="([^"]+)"/) ?? 1), offset: Number(value(/offset="([^"]+)"/) ?? 0) } : undefined,
-    };
-  });
+  const list = [...urdf.matchAll(/<joint name="([^"]+)" type="([^"]+)">(.*?)<\/joint>/gs)].map(
+    ([, name, type, body]) => {
+      const value = (pattern: RegExp) => pattern.exec(body!)?.[1];
+      const mimic = value(/<mimic joint="([^"]+)"/);
+      const turn = numbers(value(/<origin[^>]*rpy="([^"]+)"/));
+      const X_PJ = new Matrix4().makeRotationFromEuler(new Euler(turn[0], turn[1], turn[2], "ZYX"));
+      return {
+        name: name!,
+        parent: value(/<parent link="([^"]+)"/)!,
+        child: value(/<child link="([^"]+)"/)!,
+        X_PJ: X_PJ.setPosition(new Vector3(...numbers(value(/<origin[^>]*xyz="([^"]+)"/)))),
+        axis: new Vector3(...numbers(value(/<axis xyz="([^"]+)"/) ?? "0 0 1")).normalize(),
+        prismatic: type === "prismatic",
+        fixed: type === "fixed",
+        lower: Number(value(/lower="([^"]+)"/) ?? 0),
+        upper: Number(value(/upper="([^"]+)"/) ?? 0),
+        mimic: mimic
+          ? {
+              joint: mimic,
+              ratio: Number(value(/multiplier="([^"]+)"/) ?? 1),
+              offset: Number(value(/offset="([^"]+)"/) ?? 0),
+            }
+          : undefined,
+      };
+    },
+  );
   const ordered: Joint[] = [];
   const known = new Set([/<link name="([^"]+)"/.exec(urdf)![1]!]);
   while (ordered.length < list.length) {

@@ -46,8 +46,16 @@ export function write_glb(surfaces: ReadonlyMap<string, Surface>): Buffer {
     length += bytes.byteLength;
     return length - bytes.byteLength;
   };
-  const json = { asset: { version: "2.0" }, scene: 0, scenes: [{ nodes: [0] }], nodes: [{ name: "root", children: [] as number[] }] as object[],
-    meshes: [] as object[], accessors: [] as object[], bufferViews: [] as object[], buffers: [] as object[] };
+  const json = {
+    asset: { version: "2.0" },
+    scene: 0,
+    scenes: [{ nodes: [0] }],
+    nodes: [{ name: "root", children: [] as number[] }] as object[],
+    meshes: [] as object[],
+    accessors: [] as object[],
+    bufferViews: [] as object[],
+    buffers: [] as object[],
+  };
   const children = (json.nodes[0] as { children: number[] }).children;
   for (const [name, surface] of surfaces) {
     const { low, high } = box_of(surface);
@@ -57,7 +65,14 @@ export function write_glb(surfaces: ReadonlyMap<string, Surface>): Buffer {
       { buffer: 0, byteOffset: append(surface.triangles), byteLength: surface.triangles.byteLength, target: 34963 },
     );
     json.accessors.push(
-      { bufferView: 2 * index, componentType: 5126, count: surface.points.length / 3, type: "VEC3", min: low, max: high },
+      {
+        bufferView: 2 * index,
+        componentType: 5126,
+        count: surface.points.length / 3,
+        type: "VEC3",
+        min: low,
+        max: high,
+      },
       { bufferView: 2 * index + 1, componentType: 5125, count: surface.triangles.length, type: "SCALAR" },
     );
     json.meshes.push({ name, primitives: [{ attributes: { POSITION: 2 * index }, indices: 2 * index + 1 }] });

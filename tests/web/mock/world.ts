@@ -12,21 +12,35 @@ const data = path.resolve(path.dirname(fileURLToPath(import.meta.url)), "../../.
 
 /** Hands and objects of the repository, read when they are asked for first. */
 export class World {
-  readonly hands = new Map(["human", "barrett-metal", "dlr", "robonaut"].map((name) => [name, new MockHand(name, path.join(data, "hands", name))]));
+  readonly hands = new Map(
+    ["human", "barrett-metal", "dlr", "robonaut"].map((name) => [
+      name,
+      new MockHand(name, path.join(data, "hands", name)),
+    ]),
+  );
   readonly objects = new Map<string, { surface: Surface; uploaded: boolean }>();
   private readonly files = new Map<string, Buffer>();
 
   constructor() {
     for (const file of readdirSync(path.join(data, "objects")).filter((name) => name.endsWith(".obj"))) {
-      this.objects.set(file.replace(/\.obj$/, ""), { surface: read_obj(path.join(data, "objects", file)), uploaded: false });
+      this.objects.set(file.replace(/\.obj$/, ""), {
+        surface: read_obj(path.join(data, "objects", file)),
+        uploaded: false,
+      });
     }
   }
 
   describe_objects(): SceneObject[] {
     return [...this.objects].map(([name, { surface, uploaded }]) => {
       const { low, high } = box_of(surface);
-      return { name, title: name, triangles: surface.triangles.length / 3, uploaded,
-        size: high.map((value, i) => value - low[i]!) as Vec3, center: high.map((value, i) => (value + low[i]!) / 2) as Vec3 };
+      return {
+        name,
+        title: name,
+        triangles: surface.triangles.length / 3,
+        uploaded,
+        size: high.map((value, i) => value - low[i]!) as Vec3,
+        center: high.map((value, i) => (value + low[i]!) / 2) as Vec3,
+      };
     });
   }
 
@@ -37,7 +51,12 @@ export class World {
 
   model(kind: string, name: string): Buffer | undefined {
     const key = `${kind}/${name}`;
-    const shapes = kind === "hands" ? this.hands.get(name)?.shapes : this.objects.has(name) ? new Map([["object", this.objects.get(name)!.surface]]) : undefined;
+    const shapes =
+      kind === "hands"
+        ? this.hands.get(name)?.shapes
+        : this.objects.has(name)
+          ? new Map([["object", this.objects.get(name)!.surface]])
+          : undefined;
     if (!this.files.has(key) && shapes) this.files.set(key, write_glb(shapes));
     return this.files.get(key);
   }

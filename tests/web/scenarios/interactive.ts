@@ -6,6 +6,7 @@ import { WebSocket } from "ws";
 import { eventually, expect, expect_near } from "../support/expect.ts";
 import { gizmo_axes, projector } from "../support/project.ts";
 import type { Stage } from "../support/stage.ts";
+import type { Pose } from "../../../viewer/src/wire/messages.ts";
 
 async function begin(stage: Stage): Promise<void> {
   await stage.go("#interactive");
@@ -50,28 +51,34 @@ export async function drag(stage: Stage): Promise<void> {
   const way = new Vector3(x, y, z).sub(base);
   expect(way.length() > 0.01, `the wrist was dragged, by ${(way.length() * 1e3).toFixed(1)} mm`);
   expect(way.angleTo(axes[longest]!) < 0.02, "along the arrow");
-  await eventually(() => stage.wire.view?.wrist !== undefined && Math.abs(stage.wire.view.wrist.pose[0] - x) < 1e-6, "the planner has the new place");
+  await eventually(
+    () => stage.wire.view?.wrist !== undefined && Math.abs(stage.wire.view.wrist.pose[0] - x) < 1e-6,
+    "the planner has the new place",
+  );
+}
+
+/** Holds a key until something came about. */
+async function hold(stage: Stage, key: string, done: () => boolean, what: string): Promise<void> {
+  await stage.page.keyboard.down(key);
+  await eventually(done, what, 10);
+  await stage.page.keyboard.up(key);
+  await stage.page.waitForTimeout(300);
 }
 
 export async function keyboard(stage: Stage): Promise<void> {
   await begin(stage);
   const before = stage.wire.wrist;
   expect(await stage.page.locator("#do-lift").isDisabled(), "what is not held cannot be lifted");
-  await stage.page.keyboard.down("KeyR");
-  await stage.page.waitForTimeout(500);
-  await stage.page.keyboard.up("KeyR");
-  await stage.page.waitForTimeout(200);
+  await hold(stage, "KeyR", () => stage.wire.wrist[2] - before[2] > 0.02, "R raises the wrist");
   const after = stage.wire.wrist;
-  expect(after[2] - before[2] > 0.02, "R raises the wrist");
   expect_near(Math.hypot(after[0] - before[0], after[1] - before[1]), 0, 1e-9, "straight up");
-  await stage.page.keyboard.down("ArrowLeft");
-  await stage.page.waitForTimeout(400);
-  await stage.page.keyboard.up("ArrowLeft");
-  await stage.page.waitForTimeout(200);
-  const turned = stage.wire.wrist;
-  const angle = new Quaternion(after[4], after[5], after[6], after[3]).angleTo(new Quaternion(turned[4], turned[5], turned[6], turned[3]));
-  expect(angle > 0.05, "an arrow key turns it");
-  expect(new Set(stage.wire.wrists.map((one) => one.time)).size === stage.wire.wrists.length, "no two poses have the same time");
+  const turn_of = (pose: Pose) => new Quaternion(pose[4], pose[5], pose[6], pose[3]);
+  const turned = () => turn_of(after).angleTo(turn_of(stage.wire.wrist)) > 0.05;
+  await hold(stage, "ArrowLeft", turned, "an arrow key turns it");
+  expect(
+    new Set(stage.wire.wrists.map((one) => one.time)).size === stage.wire.wrists.length,
+    "no two poses have the same time",
+  );
   await stage.page.keyboard.press("KeyH");
   await eventually(() => Math.abs(stage.wire.wrist[2] - before[2]) < 1e-9, "H goes back to the start place");
 }
@@ -92,8 +99,14 @@ export async function tracker(stage: Stage): Promise<void> {
     socket.send(JSON.stringify({ type: "wrist", time: 5000 + i / 60, pose: [x, y, z + (0.06 * i) / 30, ...turn] }));
     await stage.page.waitForTimeout(16);
   }
-  await eventually(() => Math.abs((stage.wire.view?.wrist?.pose[2] ?? 0) - goal) < 1e-6, "the planner follows the tracker");
-  await eventually(async () => (await stage.text("#hud")).startsWith("Tracker:"), "the page says that a tracker moves the hand");
+  await eventually(
+    () => Math.abs((stage.wire.view?.wrist?.pose[2] ?? 0) - goal) < 1e-6,
+    "the planner follows the tracker",
+  );
+  await eventually(
+    async () => (await stage.text("#hud")).startsWith("Tracker:"),
+    "the page says that a tracker moves the hand",
+  );
   expect(stage.wire.wrists.length === sent, "the page itself sends nothing meanwhile");
   await stage.shot("moved");
   await stage.page.keyboard.down("KeyF");
@@ -130,7 +143,10 @@ export async function grasp_and_lift(stage: Stage): Promise<void> {
   const low = await stage.view_picture();
   await page.keyboard.press("KeyL");
   await page.waitForTimeout(1600);
-  await eventually(async () => (await stage.changed(low, await stage.view_picture())) > 0.02, "the object rises with the hand");
+  await eventually(
+    async () => (await stage.changed(low, await stage.view_picture())) > 0.02,
+    "the object rises with the hand",
+  );
   await stage.shot("lifted");
   await page.keyboard.press("KeyO");
   await eventually(() => stage.wire.view?.phase === "approach", "the hand is put down and opens");
@@ -210,7 +226,9 @@ export async function replay(stage: Stage): Promise<void> {
   const log = readFileSync(await download.path());
   expect(log.toString().split("\n").length > 20, "the log has lines");
   await page.click('[data-page="replay"]');
-  await page.locator(".right .drop input").setInputFiles({ name: download.suggestedFilename(), mimeType: "application/x-ndjson", buffer: log });
+  await page
+    .locator(".right .drop input")
+    .setInputFiles({ name: download.suggestedFilename(), mimeType: "application/x-ndjson", buffer: log });
   await eventually(async () => (await stage.number("#replay-time")) > 0.3, "it plays");
   await stage.shot("playing");
   await page.click("#replay-play");
@@ -225,6 +243,8 @@ export async function replay(stage: Stage): Promise<void> {
   expect((await stage.changed(first, await stage.view_picture())) > 0.005, "the slider goes through it");
   expect((await page.locator("#events button").count()) > 0, "events are listed");
   await stage.shot("end");
-  await page.locator(".right .drop input").setInputFiles({ name: "notes.txt", mimeType: "text/plain", buffer: Buffer.from("no log") });
+  await page
+    .locator(".right .drop input")
+    .setInputFiles({ name: "notes.txt", mimeType: "text/plain", buffer: Buffer.from("no log") });
   await page.waitForSelector("#replay-note.bad");
 }

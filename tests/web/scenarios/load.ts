@@ -13,7 +13,10 @@ export async function load(stage: Stage): Promise<void> {
   for (const object of ["shoe", "glass"]) {
     await page.click(`[data-object="${object}"]`);
     await stage.settled();
-    await eventually(async () => (await stage.changed(before, await stage.view_picture())) > 0.01, `the ${object} is shown`);
+    await eventually(
+      async () => (await stage.changed(before, await stage.view_picture())) > 0.01,
+      `the ${object} is shown`,
+    );
     before = await stage.picture_at_rest();
     await stage.shot(object);
   }
@@ -22,10 +25,17 @@ export async function load(stage: Stage): Promise<void> {
   await page.check("text=Object stands on a table");
   await stage.settled();
   await stage.shot("table");
-  const fits = () => page.evaluate(() => {
-    const wide = [...document.querySelectorAll("aside, header, .centre, .charts, .banner")].filter((box) => box.scrollWidth > box.clientWidth + 1);
-    return document.documentElement.scrollWidth <= window.innerWidth && document.documentElement.scrollHeight <= window.innerHeight && wide.length === 0;
-  });
+  const fits = () =>
+    page.evaluate(() => {
+      const wide = [...document.querySelectorAll("aside, header, .centre, .charts, .banner")].filter(
+        (box) => box.scrollWidth > box.clientWidth + 1,
+      );
+      return (
+        document.documentElement.scrollWidth <= window.innerWidth &&
+        document.documentElement.scrollHeight <= window.innerHeight &&
+        wide.length === 0
+      );
+    });
   expect(await fits(), "nothing is wider than its place at 1280 x 720");
   await page.setViewportSize({ width: 1920, height: 1080 });
   await page.waitForTimeout(400);
@@ -55,8 +65,15 @@ export async function orbit(stage: Stage): Promise<void> {
 
 /** A box of 40 x 60 x 100 mm, as text of a Wavefront file in millimetres. */
 function box_file(): string {
-  const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => `v ${(i & 1 ? 20 : -20)} ${(i & 2 ? 30 : -30)} ${(i & 4 ? 50 : -50)}`);
-  const faces = [[1, 3, 4, 2], [5, 6, 8, 7], [1, 2, 6, 5], [3, 7, 8, 4], [1, 5, 7, 3], [2, 4, 8, 6]].flatMap(([a, b, c, d]) => [`f ${a} ${b} ${c}`, `f ${a} ${c} ${d}`]);
+  const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => `v ${i & 1 ? 20 : -20} ${i & 2 ? 30 : -30} ${i & 4 ? 50 : -50}`);
+  const faces = [
+    [1, 3, 4, 2],
+    [5, 6, 8, 7],
+    [1, 2, 6, 5],
+    [3, 7, 8, 4],
+    [1, 5, 7, 3],
+    [2, 4, 8, 6],
+  ].flatMap(([a, b, c, d]) => [`f ${a} ${b} ${c}`, `f ${a} ${c} ${d}`]);
   return [...corners, ...faces].join("\n") + "\n";
 }
 
@@ -68,7 +85,10 @@ export async function upload(stage: Stage): Promise<void> {
   await input.setInputFiles({ name: "box.obj", mimeType: "model/obj", buffer: Buffer.from(box_file()) });
   await page.waitForSelector('[data-object="box"][aria-pressed="true"]');
   await stage.settled();
-  expect((await stage.text('[data-figure="size"]')) === "40 × 60 × 100", "the size of a file in millimetres is read as such");
+  expect(
+    (await stage.text('[data-figure="size"]')) === "40 × 60 × 100",
+    "the size of a file in millimetres is read as such",
+  );
   await stage.shot("box");
   await input.setInputFiles({ name: "notes.obj", mimeType: "text/plain", buffer: Buffer.from("nothing of a mesh\n") });
   await page.waitForSelector(".left .note.bad");

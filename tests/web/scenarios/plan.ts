@@ -23,10 +23,14 @@ export async function plan(stage: Stage): Promise<void> {
 }
 
 async function thumbnails_are_drawn(stage: Stage): Promise<void> {
-  const count = () => stage.page.evaluate(() => [...document.querySelectorAll<HTMLCanvasElement>("#gallery canvas")].filter((canvas) => {
-    const { data } = canvas.getContext("2d")!.getImageData(0, 0, canvas.width, canvas.height);
-    return data.some((value, i) => i % 4 !== 3 && value > 90);
-  }).length);
+  const count = () =>
+    stage.page.evaluate(
+      () =>
+        [...document.querySelectorAll<HTMLCanvasElement>("#gallery canvas")].filter((canvas) => {
+          const { data } = canvas.getContext("2d")!.getImageData(0, 0, canvas.width, canvas.height);
+          return data.some((value, i) => i % 4 !== 3 && value > 90);
+        }).length,
+    );
   const all = await stage.page.locator("#gallery canvas").count();
   await eventually(async () => (await count()) === all, "every grasp of the gallery has its picture", 40);
 }
@@ -35,7 +39,9 @@ async function sorted_by_epsilon(stage: Stage): Promise<void> {
   const texts = await stage.page.locator("#gallery b").allInnerTexts();
   const values = texts.map((text) => Number.parseFloat(text.replace("ε", "")));
   expect(values.length > 0, "there are form-closed grasps");
-  values.forEach((value, i) => expect(i === 0 || value <= values[i - 1]!, `grasp ${i + 1} is no better than the one before it`));
+  values.forEach((value, i) =>
+    expect(i === 0 || value <= values[i - 1]!, `grasp ${i + 1} is no better than the one before it`),
+  );
 }
 
 async function slider(stage: Stage): Promise<void> {
@@ -63,7 +69,10 @@ async function milestones(stage: Stage): Promise<void> {
   await stage.shot("first-state");
   await page.locator("#milestones").press("End");
   await page.waitForTimeout(300);
-  expect((await stage.changed(first, await stage.view_picture())) > 0.005, "the last of the best states is another one");
+  expect(
+    (await stage.changed(first, await stage.view_picture())) > 0.005,
+    "the last of the best states is another one",
+  );
 }
 
 async function downloads(stage: Stage): Promise<void> {

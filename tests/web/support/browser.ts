@@ -14,8 +14,16 @@ export function browser_program(): string {
 /** Chromium without a window; draws with the processor, so that no graphics card is needed. */
 export function open_browser(): Promise<Browser> {
   return chromium.launch({
-    executablePath: browser_program(), headless: true,
-    args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist", "--disable-dev-shm-usage"],
+    executablePath: browser_program(),
+    headless: true,
+    args: [
+      "--no-sandbox",
+      "--use-gl=angle",
+      "--use-angle=swiftshader",
+      "--enable-unsafe-swiftshader",
+      "--ignore-gpu-blocklist",
+      "--disable-dev-shm-usage",
+    ],
   });
 }
 

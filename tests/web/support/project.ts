@@ -22,11 +22,20 @@ export async function projector(stage: Stage): Promise<(point: Vector3) => { x: 
 
 /** The wrist's own axes, as long as the arrows of the gizmo are on the page, in object coordinates. */
 export async function gizmo_axes(stage: Stage): Promise<{ base: Vector3; axes: Vector3[] }> {
-  const kept = JSON.parse((await stage.page.evaluate(() => sessionStorage.getItem("eigengrasp.camera")))!) as { position: number[] };
+  const kept = JSON.parse((await stage.page.evaluate(() => sessionStorage.getItem("eigengrasp.camera")))!) as {
+    position: number[];
+  };
   const [x, y, z, w, a, b, c] = stage.wire.wrist;
   const base = new Vector3(x, y, z);
   const turn = new Quaternion(a, b, c, w);
   const distance = base.distanceTo(new Vector3().fromArray(kept.position));
   const length = distance * 1.9 * Math.tan((Math.PI * 38) / 360) * (0.8 / 4) * 0.42;
-  return { base, axes: [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map((axis) => new Vector3().fromArray(axis).applyQuaternion(turn).multiplyScalar(length)) };
+  return {
+    base,
+    axes: [
+      [1, 0, 0],
+      [0, 1, 0],
+      [0, 0, 1],
+    ].map((axis) => new Vector3().fromArray(axis).applyQuaternion(turn).multiplyScalar(length)),
+  };
 }

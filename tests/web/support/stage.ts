@@ -41,12 +41,22 @@ export class Stage {
   readonly wire = new Wire();
   readonly complaints: Complaints;
 
-  private constructor(readonly page: Page, readonly target: Target, private readonly context: BrowserContext, private readonly scenario: string) {
+  private constructor(
+    readonly page: Page,
+    readonly target: Target,
+    private readonly context: BrowserContext,
+    private readonly scenario: string,
+  ) {
     this.complaints = new Complaints(page);
     page.on("websocket", (socket) => this.wire.attach(socket));
   }
 
-  static async open(browser: Browser, target: Target, scenario: string, size = { width: 1280, height: 720 }): Promise<Stage> {
+  static async open(
+    browser: Browser,
+    target: Target,
+    scenario: string,
+    size = { width: 1280, height: 720 },
+  ): Promise<Stage> {
     const context = await browser.newContext({ viewport: size, acceptDownloads: true });
     // The compiler of these scripts wraps functions in a helper of its own, which the page does not have.
     await context.addInitScript("globalThis.__name = (f) => f");
@@ -57,7 +67,7 @@ export class Stage {
 
   /** Opens a page of the app and waits until the hand and the object stand there. */
   async go(hash = ""): Promise<void> {
-    await this.page.goto(this.target.address + hash);
+    await this.page.goto(`${this.target.address}?quality=fast${hash}`);
     await this.page.waitForSelector('.link[data-kind="online"]');
     await this.settled();
   }
@@ -68,7 +78,20 @@ export class Stage {
     await this.page.waitForTimeout(250);
   }
 
+  /** Keeps a picture of the page, and makes sure that nothing on it stands out of its column. */
   async shot(name: string): Promise<void> {
+    const outside = await this.page.evaluate(() =>
+      [...document.querySelectorAll("aside")].flatMap((column) => {
+        const edge = column.getBoundingClientRect();
+        return [...column.querySelectorAll("*")]
+          .filter((part) => {
+            const box = part.getBoundingClientRect();
+            return box.width > 1 && (box.right > edge.right + 1 || box.left < edge.left - 1);
+          })
+          .map((part) => `${part.tagName} ${part.className} "${part.textContent?.slice(0, 40)}"`);
+      }),
+    );
+    if (outside.length > 0 && name !== "failed") throw new Error(`out of its column: ${outside[0]}`);
     mkdirSync(path.join(output, this.target.name), { recursive: true });
     await this.page.screenshot({ path: path.join(output, this.target.name, `${this.scenario}-${name}.png`) });
   }
@@ -83,25 +106,32 @@ export class Stage {
 
   /** Share of the 3-D view that differs between two pictures of it. */
   async changed(before: Buffer, after: Buffer): Promise<number> {
-    return this.page.evaluate(async ([a, b]) => {
-      const pixels = async (text: string) => {
-        const image = new Image();
-        image.src = text;
-        await image.decode();
-        const canvas = document.createElement("canvas");
-        canvas.width = image.width;
-        canvas.height = image.height;
-        const brush = canvas.getContext("2d")!;
-        brush.drawImage(image, 0, 0);
-        return brush.getImageData(0, 0, image.width, image.height).data;
-      };
-      const [one, two] = [await pixels(a!), await pixels(b!)];
-      let different = 0;
-      for (let i = 0; i < one.length; i += 4) {
-        if (Math.abs(one[i]! - two[i]!) + Math.abs(one[i + 1]! - two[i + 1]!) + Math.abs(one[i + 2]! - two[i + 2]!) > 24) different += 1;
-      }
-      return different / (one.length / 4);
-    }, [before, after].map((picture) => `data:image/png;base64,${picture.toString("base64")}`));
+    return this.page.evaluate(
+      async ([a, b]) => {
+        const pixels = async (text: string) => {
+          const image = new Image();
+          image.src = text;
+          await image.decode();
+          const canvas = document.createElement("canvas");
+          canvas.width = image.width;
+          canvas.height = image.height;
+          const brush = canvas.getContext("2d")!;
+          brush.drawImage(image, 0, 0);
+          return brush.getImageData(0, 0, image.width, image.height).data;
+        };
+        const [one, two] = [await pixels(a!), await pixels(b!)];
+        let different = 0;
+        for (let i = 0; i < one.length; i += 4) {
+          if (
+            Math.abs(one[i]! - two[i]!) + Math.abs(one[i + 1]! - two[i + 1]!) + Math.abs(one[i + 2]! - two[i + 2]!) >
+            24
+          )
+            different += 1;
+        }
+        return different / (one.length / 4);
+      },
+      [before, after].map((picture) => `data:image/png;base64,${picture.toString("base64")}`),
+    );
   }
 
   view_picture(): Promise<Buffer> {

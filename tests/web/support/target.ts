@@ -33,7 +33,11 @@ export class MockTarget implements Target {
   readonly address: string;
   private server: MockServer | undefined;
 
-  constructor(private readonly app: string, private readonly port: number, private readonly token?: string) {
+  constructor(
+    private readonly app: string,
+    private readonly port: number,
+    private readonly token?: string,
+  ) {
     this.address = `http://127.0.0.1:${port}/`;
   }
 
@@ -57,20 +61,42 @@ export class ProgramTarget implements Target {
   private child: ChildProcess | undefined;
   private output = "";
 
-  constructor(private readonly program: string, private readonly app: string, private readonly port: number, private readonly token?: string) {
+  constructor(
+    private readonly program: string,
+    private readonly app: string,
+    private readonly port: number,
+    private readonly token?: string,
+  ) {
     this.address = `http://127.0.0.1:${port}/`;
   }
 
   async start(): Promise<void> {
-    const words = ["serve", "--port", String(this.port), "--app", this.app, "--log", this.logs, ...(this.token ? ["--token", this.token] : [])];
+    const words = [
+      "serve",
+      "--port",
+      String(this.port),
+      "--app",
+      this.app,
+      "--log",
+      this.logs,
+      ...(this.token ? ["--token", this.token] : []),
+    ];
     const child = spawn(this.program, words, { stdio: ["ignore", "pipe", "pipe"] });
     this.child = child;
-    const keep = (text: Buffer) => { this.output = (this.output + String(text)).slice(-4000); };
+    const keep = (text: Buffer) => {
+      this.output = (this.output + String(text)).slice(-4000);
+    };
     child.stdout?.on("data", keep);
     child.stderr?.on("data", keep);
     for (let attempt = 0; attempt < 200; ++attempt) {
       if (child.exitCode !== null) throw new Error(`${this.program} ${words.join(" ")} ended: ${this.output}`);
-      if (await fetch(`${this.address}api/status`).then((answer) => answer.ok, () => false)) return;
+      if (
+        await fetch(`${this.address}api/status`).then(
+          (answer) => answer.ok,
+          () => false,
+        )
+      )
+        return;
       await new Promise((resolve) => setTimeout(resolve, 50));
     }
     throw new Error(`no answer of ${this.program}: ${this.output}`);

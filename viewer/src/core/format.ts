@@ -13,7 +13,11 @@ export function fixed(value: number | null | undefined, decimals: number): strin
 /** 1234567 -> "1.23 M", 45678 -> "45.7 k": three figures, to be read at a glance. */
 export function short_count(value: number | null | undefined): string {
   if (value === null || value === undefined || !Number.isFinite(value)) return missing;
-  const steps: [number, string][] = [[1e9, " G"], [1e6, " M"], [1e3, " k"]];
+  const steps: [number, string][] = [
+    [1e9, " G"],
+    [1e6, " M"],
+    [1e3, " k"],
+  ];
   for (const [size, suffix] of steps) {
     if (Math.abs(value) >= size * 0.9995) return three_figures(value / size) + suffix;
   }

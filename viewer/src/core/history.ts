@@ -14,8 +14,14 @@ export interface Sample {
 export function sample_of(view: View, latency: number | undefined): Sample {
   const offered = view.offer ? view.solutions.find((one) => one.id === view.offer?.id)?.epsilon : undefined;
   const now = view.epsilon_now === undefined ? null : Math.max(0, view.epsilon_now);
-  return { time: view.time, offered: offered ?? null, now, postures: view.rates.postures_per_second,
-    candidates: view.rates.candidates_per_second, latency: latency === undefined ? null : latency * 1e3 };
+  return {
+    time: view.time,
+    offered: offered ?? null,
+    now,
+    postures: view.rates.postures_per_second,
+    candidates: view.rates.candidates_per_second,
+    latency: latency === undefined ? null : latency * 1e3,
+  };
 }
 
 /** What happened in the last while: at most one sample for each tick, the latencies of a tick kept at their worst. */

@@ -30,7 +30,11 @@ export interface PlanState {
 export type PlanOrder = Pick<PlanState, "scale" | "table">;
 
 /** The state after a message; the same object where the message does not concern it. */
-export function next_plan(state: PlanState | undefined, message: ServerMessage, order: PlanOrder): PlanState | undefined {
+export function next_plan(
+  state: PlanState | undefined,
+  message: ServerMessage,
+  order: PlanOrder,
+): PlanState | undefined {
   if (message.type === "plan.started") return started(message.id, message.hand, message.object, order);
   if (!state || !("id" in message) || message.id !== state.id) return state;
   switch (message.type) {
@@ -62,12 +66,15 @@ export interface TraceRow {
 export function trace_rows(trace: readonly TracePoint[], states: readonly TracePoint[]): TraceRow[] {
   const rows = new Map<number, { now: number | null; state: number | null }>();
   for (const { iteration, energy } of trace) rows.set(iteration, { now: energy, state: null });
-  for (const { iteration, energy } of states) rows.set(iteration, { now: rows.get(iteration)?.now ?? null, state: energy });
+  for (const { iteration, energy } of states)
+    rows.set(iteration, { now: rows.get(iteration)?.now ?? null, state: energy });
   let best = Infinity;
-  return [...rows].sort((a, b) => a[0] - b[0]).map(([iteration, { now, state }]) => {
-    best = Math.min(best, now ?? Infinity, state ?? Infinity);
-    return { iteration, now, best, state };
-  });
+  return [...rows]
+    .sort((a, b) => a[0] - b[0])
+    .map(([iteration, { now, state }]) => {
+      best = Math.min(best, now ?? Infinity, state ?? Infinity);
+      return { iteration, now, best, state };
+    });
 }
 
 /** The link broke, or the server began anew: the plan is not going on. */
@@ -76,8 +83,19 @@ export function broken_plan(state: PlanState | undefined): PlanState | undefined
 }
 
 function started(id: string, hand: string, object: string, order: PlanOrder): PlanState {
-  return { id, hand, object, ...order, running: true, iterations: 0, total: 0, seconds: 0, trace: [], milestones: [],
-    result: undefined };
+  return {
+    id,
+    hand,
+    object,
+    ...order,
+    running: true,
+    iterations: 0,
+    total: 0,
+    seconds: 0,
+    trace: [],
+    milestones: [],
+    result: undefined,
+  };
 }
 
 /** Milestones in the order of their iterations, each one better than those before it. */
@@ -91,8 +109,13 @@ function with_milestone(list: readonly Milestone[], { iteration, energy, link_po
 export function compact_plan(state: PlanState): PlanState {
   const { result } = state;
   const milestones = thinned(state.milestones, 40).map((one) => ({ ...one, link_poses: rounded(one.link_poses) }));
-  return { ...state, running: false, trace: thinned(state.trace, 400), milestones,
-    result: result && { ...result, grasps: result.grasps.map(compact_grasp) } };
+  return {
+    ...state,
+    running: false,
+    trace: thinned(state.trace, 400),
+    milestones,
+    result: result && { ...result, grasps: result.grasps.map(compact_grasp) },
+  };
 }
 
 function compact_grasp(grasp: Grasp): Grasp {
@@ -112,7 +135,6 @@ export function thinned<T>(list: readonly T[], most: number): T[] {
 /** Form-closed grasps by falling epsilon, then the rest by rising energy; keeps each one's number in the files. */
 export function ranked(grasps: readonly Grasp[]): { grasp: Grasp; number: number }[] {
   const order = (a: Grasp, b: Grasp) =>
-    Number(b.form_closure) - Number(a.form_closure) ||
-    (a.form_closure ? b.epsilon - a.epsilon : a.energy - b.energy);
+    Number(b.form_closure) - Number(a.form_closure) || (a.form_closure ? b.epsilon - a.epsilon : a.energy - b.energy);
   return grasps.map((grasp, i) => ({ grasp, number: i + 1 })).sort((a, b) => order(a.grasp, b.grasp));
 }

@@ -5,7 +5,14 @@ import { type Wish, still } from "./wrist_motion";
 
 const dead_zone = 0.12;
 /** Buttons of the standard layout. */
-const buttons: readonly (readonly [number, Action])[] = [[0, "close"], [1, "open"], [2, "lift"], [3, "forget"], [8, "offer"], [9, "home"]];
+const buttons: readonly (readonly [number, Action])[] = [
+  [0, "close"],
+  [1, "open"],
+  [2, "lift"],
+  [3, "forget"],
+  [8, "offer"],
+  [9, "home"],
+];
 
 export interface PadState {
   axes: readonly number[];
@@ -16,8 +23,15 @@ export interface PadState {
 export function wish_of_pad(pad: PadState): Wish {
   const axis = (index: number) => shaped(pad.axes[index] ?? 0);
   const button = (index: number) => pad.buttons[index]?.value ?? 0;
-  return { ...still, right: axis(0), ahead: -axis(1) || 0, up: shaped(button(7) - button(6)), yaw: -axis(2) || 0, pitch: -axis(3) || 0,
-    roll: button(5) - button(4) };
+  return {
+    ...still,
+    right: axis(0),
+    ahead: -axis(1) || 0,
+    up: shaped(button(7) - button(6)),
+    yaw: -axis(2) || 0,
+    pitch: -axis(3) || 0,
+    roll: button(5) - button(4),
+  };
 }
 
 /** Nothing in the middle, fine near it. */

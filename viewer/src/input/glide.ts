@@ -26,7 +26,10 @@ export class Glide {
   next(from: Pose, seconds: number): Pose {
     const { goal } = this;
     if (!goal) return from;
-    const duration = Math.max(position_of(from).distanceTo(position_of(goal)) / speed, rotation_of(from).angleTo(rotation_of(goal)) / turn_speed);
+    const duration = Math.max(
+      position_of(from).distanceTo(position_of(goal)) / speed,
+      rotation_of(from).angleTo(rotation_of(goal)) / turn_speed,
+    );
     if (duration > seconds) return interpolate_pose(from, goal, seconds / duration);
     this.end();
     return goal;

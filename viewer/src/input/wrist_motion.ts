@@ -24,7 +24,14 @@ export function is_still(wish: Wish): boolean {
 
 export function add_wishes(a: Wish, b: Wish): Wish {
   const sum = (key: keyof Wish) => Math.max(-1, Math.min(1, a[key] + b[key]));
-  return { right: sum("right"), ahead: sum("ahead"), up: sum("up"), yaw: sum("yaw"), pitch: sum("pitch"), roll: sum("roll") };
+  return {
+    right: sum("right"),
+    ahead: sum("ahead"),
+    up: sum("up"),
+    yaw: sum("yaw"),
+    pitch: sum("pitch"),
+    roll: sum("roll"),
+  };
 }
 
 /**

@@ -34,7 +34,8 @@ export function parse_log(text: string): SessionLog {
     else take(log, entry);
   }
   const first = log.views[0];
-  if (!first) throw new Error("The log has no views: a session log of eigengrasp was expected, one JSON object a line.");
+  if (!first)
+    throw new Error("The log has no views: a session log of eigengrasp was expected, one JSON object a line.");
   if (log.scenes.length === 0) throw new Error("The log does not say what was grasped: it has no 'online.start' line.");
   log.views.sort((a, b) => a.t - b.t);
   shift(log, log.views[0]!.t);
@@ -53,7 +54,10 @@ function parse_line(line: string): LogLine | undefined {
 
 function take(log: SessionLog, { t, in: taken, out: sent }: LogLine): void {
   if (taken?.type === "online.start") {
-    log.scenes.push({ t, choice: { hand: taken.hand, object: taken.object, scale: taken.scale ?? 1, table: taken.table ?? false } });
+    log.scenes.push({
+      t,
+      choice: { hand: taken.hand, object: taken.object, scale: taken.scale ?? 1, table: taken.table ?? false },
+    });
   }
   if (taken?.type === "command") log.events.push({ t, text: command_text(taken) });
   if (sent?.type === "view") log.views.push({ t, view: sent });

@@ -10,20 +10,58 @@ import type { Grasp } from "../wire/messages";
 /** One grasp: its figures, its contacts, and a slider from the pre-grasp to the grasp. */
 export class GraspPanel {
   readonly element: HTMLElement;
-  private readonly figures = new Figures({ epsilon: "Epsilon", volume: "Volume", energy: "Energy", contacts: "Contacts",
-    friction: "Friction cones", penetration: "Deepest penetration" });
+  private readonly figures = new Figures({
+    epsilon: "Epsilon",
+    volume: "Volume",
+    energy: "Energy",
+    contacts: "Contacts",
+    friction: "Friction cones",
+    penetration: "Deepest penetration",
+  });
   private readonly title: HTMLElement;
-  private readonly slider = h("input", { type: "range", id: "closing", min: 0, max: 1, step: 0.001, value: 1,
-    "aria-label": "From pre-grasp to grasp", oninput: () => { this.playing = false; this.draw(); } });
-  private readonly play = h("button", { type: "button", id: "play-closing", title: "Close the hand", onclick: () => this.start() }, "▶");
+  private readonly slider = h("input", {
+    type: "range",
+    id: "closing",
+    min: 0,
+    max: 1,
+    step: 0.001,
+    value: 1,
+    "aria-label": "From pre-grasp to grasp",
+    oninput: () => {
+      this.playing = false;
+      this.draw();
+    },
+  });
+  private readonly play = h(
+    "button",
+    { type: "button", id: "play-closing", title: "Close the hand", onclick: () => this.start() },
+    "▶",
+  );
   private grasp: Grasp | undefined;
   private cones = true;
   private playing = false;
 
-  constructor(private readonly bench: Workbench, ...more: HTMLElement[]) {
-    this.element = section("Grasp", this.figures.element,
-      h("div", { class: "row", style: "margin-top:10px" }, this.play, h("small", {}, "pre-grasp"), this.slider, h("small", {}, "grasp")),
-      tick("Contacts and friction cones", true, (on) => { this.cones = on; this.draw(); }), ...more);
+  constructor(
+    private readonly bench: Workbench,
+    ...more: HTMLElement[]
+  ) {
+    this.element = section(
+      "Grasp",
+      this.figures.element,
+      h(
+        "div",
+        { class: "row", style: "margin-top:10px" },
+        this.play,
+        h("small", {}, "pre-grasp"),
+        this.slider,
+        h("small", {}, "grasp"),
+      ),
+      tick("Contacts and friction cones", true, (on) => {
+        this.cones = on;
+        this.draw();
+      }),
+      ...more,
+    );
     this.title = this.element.querySelector("h2")!;
     bench.stage.frames.on((seconds) => this.advance(seconds));
     toggle(this.element, false);
@@ -33,8 +71,10 @@ export class GraspPanel {
     this.grasp = grasp;
     set_text(this.title, name);
     this.figures.set({
-      epsilon: grasp.form_closure ? fixed(grasp.epsilon, 4) : "no form closure", volume: grasp.volume.toPrecision(3),
-      energy: fixed(grasp.energy, 3), penetration: millimetres(grasp.max_penetration, 2),
+      epsilon: grasp.form_closure ? fixed(grasp.epsilon, 4) : "no form closure",
+      volume: grasp.volume.toPrecision(3),
+      energy: fixed(grasp.energy, 3),
+      penetration: millimetres(grasp.max_penetration, 2),
       contacts: `${grasp.contacts.length} on ${new Set(grasp.contacts.map((contact) => contact.link)).size} links`,
       friction: cone_range(grasp),
     });

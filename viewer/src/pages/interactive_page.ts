@@ -18,6 +18,7 @@ import type { Closed, Pose, View } from "../wire/messages";
 import { key_help } from "./key_help";
 import { Lift } from "./lift";
 import { OnlineCharts } from "./online_charts";
+import { OnlineOptionsForm } from "./online_options";
 import { OnlineSession } from "./online_session";
 import type { Page } from "./page";
 
@@ -26,7 +27,12 @@ export class InteractivePage implements Page {
   readonly panel: HTMLElement;
   readonly charts: HTMLElement;
   readonly hud = h("div", { class: "hud", id: "hud" });
-  readonly legend = [["hand", "--hand"], ["object", "--object"], ["offered grasp", "--good"], ["search cone", "--cone"]] as const;
+  readonly legend = [
+    ["hand", "--hand"],
+    ["object", "--object"],
+    ["offered grasp", "--good"],
+    ["search cone", "--cone"],
+  ] as const;
   private readonly session: OnlineSession;
   private readonly player: ViewPlayer;
   private readonly gizmo: WristGizmo;
@@ -36,17 +42,35 @@ export class InteractivePage implements Page {
   private readonly history = new History();
   private readonly figures = new ViewFigures();
   private readonly chart = new OnlineCharts("latency");
-  private readonly link = new Figures({ latency: "Wrist to view, median", tail: "99th percentile", server: "In the server, median" });
+  private readonly options = new OnlineOptionsForm(() => {
+    this.session.options = this.options.value;
+    this.session.restart();
+  });
+  private readonly link = new Figures({
+    latency: "Wrist to view, median",
+    tail: "99th percentile",
+    server: "In the server, median",
+  });
   private readonly buttons = {
-    close: this.button("close", "Close", "C", "main grow"), lift: this.button("lift", "Lift", "L", "grow"),
+    close: this.button("close", "Close", "C", "main grow"),
+    lift: this.button("lift", "Lift", "L", "grow"),
     open: this.button("open", "Open", "O", "grow"),
   };
   private readonly to_offer = this.button("offer", "Go to offer", "T", "");
   private readonly closed_text = h("p", { class: "note", id: "closed" });
-  private readonly record = h("button", { type: "button", id: "record", onclick: () => this.toggle_recording() }, "Record");
+  private readonly record = h(
+    "button",
+    { type: "button", id: "record", onclick: () => this.toggle_recording() },
+    "Record",
+  );
   private readonly recorded = h("small", { class: "note", style: "margin:0" });
-  private readonly modes = [false, true].map((turns) => h("button", { type: "button", id: turns ? "gizmo-turn" : "gizmo-move",
-    onclick: () => this.set_gizmo(turns) }, turns ? "Turn" : "Move"));
+  private readonly modes = [false, true].map((turns) =>
+    h(
+      "button",
+      { type: "button", id: turns ? "gizmo-turn" : "gizmo-move", onclick: () => this.set_gizmo(turns) },
+      turns ? "Turn" : "Move",
+    ),
+  );
   private keyboard: Keyboard | undefined;
   private shown = false;
   private chart_due = 0;
@@ -54,6 +78,7 @@ export class InteractivePage implements Page {
 
   constructor(private readonly app: App) {
     this.session = new OnlineSession(app);
+    this.session.options = this.options.value;
     this.player = new ViewPlayer(app.bench);
     this.lifting = new Lift(app.bench, () => this.show_buttons());
     this.gizmo = new WristGizmo(app.stage, (pose) => this.session.move(pose));
@@ -68,7 +93,10 @@ export class InteractivePage implements Page {
   enter(): void {
     this.shown = true;
     this.player.start();
-    this.keyboard = new Keyboard((action) => this.act(action), () => this.app.stage.request());
+    this.keyboard = new Keyboard(
+      (action) => this.act(action),
+      () => this.app.stage.request(),
+    );
     this.off = [
       this.app.scene.watch((scene) => {
         this.history.clear();
@@ -127,7 +155,11 @@ export class InteractivePage implements Page {
     if ((is_still(wish) && !this.glide.running) || !this.session.wrist || this.holding || this.gizmo.dragging) return;
     this.app.stage.request();
     const direction = this.app.stage.camera.getWorldDirection(new Vector3());
-    this.session.move(this.glide.running ? this.glide.next(this.session.wrist, seconds) : moved(this.session.wrist, wish, direction, seconds));
+    this.session.move(
+      this.glide.running
+        ? this.glide.next(this.session.wrist, seconds)
+        : moved(this.session.wrist, wish, direction, seconds),
+    );
     this.gizmo.place(this.session.wrist);
   }
 
@@ -138,15 +170,19 @@ export class InteractivePage implements Page {
     this.gizmo.show(view.phase !== "holding");
     if (!this.gizmo.dragging && this.session.wrist) this.gizmo.place(this.session.wrist);
     if (view.phase !== "holding" && !this.lifting.moving) this.lifting.drop();
-    this.app.bench.contacts.visible = view.phase === "holding" && (this.session.closed.value?.grasp?.contacts.length ?? 0) > 0;
+    this.app.bench.contacts.visible =
+      view.phase === "holding" && (this.session.closed.value?.grasp?.contacts.length ?? 0) > 0;
     this.figures.show(view);
     set_text(this.hud, (this.session.tracked ? "Tracker: " : "") + view.message);
     this.show_buttons();
     if (performance.now() < this.chart_due) return;
     this.chart_due = performance.now() + 120;
     this.chart.show(this.history.samples);
-    this.link.set({ latency: duration(this.session.latency.quantile(0.5)), tail: duration(this.session.latency.quantile(0.99)),
-      server: duration(this.session.server_time.quantile(0.5)) });
+    this.link.set({
+      latency: duration(this.session.latency.quantile(0.5)),
+      tail: duration(this.session.latency.quantile(0.99)),
+      server: duration(this.session.server_time.quantile(0.5)),
+    });
     if (this.session.recorder.running) set_text(this.recorded, `${this.session.recorder.count} lines`);
   }
 
@@ -185,7 +221,8 @@ export class InteractivePage implements Page {
 
   private toggle_recording(): void {
     const { recorder } = this.session;
-    if (recorder.running) save_file(recorder.stop(), `eigengrasp-session-${new Date().toISOString().replace(/[:.]/g, "-")}.jsonl`);
+    if (recorder.running)
+      save_file(recorder.stop(), `eigengrasp-session-${new Date().toISOString().replace(/[:.]/g, "-")}.jsonl`);
     else this.session.record();
     set_text(this.record, recorder.running ? "Stop and save" : "Record");
     this.record.classList.toggle("stop", recorder.running);
@@ -193,26 +230,59 @@ export class InteractivePage implements Page {
   }
 
   private button(action: Action, text: string, key: string, look: string): HTMLButtonElement {
-    return h("button", { type: "button", class: look, id: `do-${action}`, onclick: () => this.act(action) }, h("span", {}, text), h("kbd", {}, key));
+    return h(
+      "button",
+      { type: "button", class: look, id: `do-${action}`, onclick: () => this.act(action) },
+      h("span", {}, text),
+      h("kbd", {}, key),
+    );
   }
 
   private lay_out(): HTMLElement {
-    const ghost = h("select", { id: "ghost", onchange: () => {
-      this.player.ghost = ghost.value as GhostKind;
-      if (this.session.view) this.player.show(this.session.view);
-    } }, ...options_of<GhostKind>([["grasp", "grasp"], ["pregrasp", "pre-grasp"], ["none", "none"]], "grasp"));
+    const ghost = h(
+      "select",
+      {
+        id: "ghost",
+        onchange: () => {
+          this.player.ghost = ghost.value as GhostKind;
+          if (this.session.view) this.player.show(this.session.view);
+        },
+      },
+      ...options_of<GhostKind>(
+        [
+          ["grasp", "grasp"],
+          ["pregrasp", "pre-grasp"],
+          ["none", "none"],
+        ],
+        "grasp",
+      ),
+    );
     const cone = tick("Search cone", true, (on) => {
       this.player.cone = on;
       if (this.session.view) this.player.show(this.session.view);
     });
     this.set_gizmo(false);
-    return h("div", {},
-      section("Hand", h("div", { class: "row" }, this.buttons.close, this.buttons.lift, this.buttons.open), this.closed_text),
+    return h(
+      "div",
+      {},
+      section(
+        "Hand",
+        h("div", { class: "row" }, this.buttons.close, this.buttons.lift, this.buttons.open),
+        this.closed_text,
+      ),
       this.figures.offer,
-      section("Link", this.link.element, h("div", { class: "row", style: "margin-top:10px" }, this.record, this.recorded)),
+      section(
+        "Link",
+        this.link.element,
+        h("div", { class: "row", style: "margin-top:10px" }, this.record, this.recorded),
+      ),
       this.figures.solutions,
-      section("Show", field("Ghost", ghost), cone),
-      section("Move the wrist", h("div", { class: "row" }, ...this.modes,
-        this.button("home", "Start", "H", ""), this.to_offer), key_help()));
+      section("Show", field("Ghost", ghost), cone, this.options.element),
+      section(
+        "Move the wrist",
+        h("div", { class: "row" }, ...this.modes, this.button("home", "Start", "H", ""), this.to_offer),
+        key_help(),
+      ),
+    );
   }
 }

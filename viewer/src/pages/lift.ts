@@ -11,7 +11,10 @@ export class Lift {
   private goal = 0;
   private then: (() => void) | undefined;
 
-  constructor(private readonly bench: Workbench, private readonly on_change: () => void) {}
+  constructor(
+    private readonly bench: Workbench,
+    private readonly on_change: () => void,
+  ) {}
 
   get up(): boolean {
     return this.goal > 0;
@@ -42,7 +45,8 @@ export class Lift {
   advance(seconds: number): void {
     if (!this.moving) return;
     const step = seconds / seconds_up;
-    this.place = this.goal > this.place ? Math.min(this.goal, this.place + step) : Math.max(this.goal, this.place - step);
+    this.place =
+      this.goal > this.place ? Math.min(this.goal, this.place + step) : Math.max(this.goal, this.place - step);
     this.bench.lift(height * eased(this.place));
     if (!this.moving) this.arrive();
   }

@@ -7,7 +7,16 @@ import { recall, remember } from "../core/session_state";
 import { Signal, Topic } from "../core/signal";
 import { Recorder } from "../log/recorder";
 import type { BenchScene } from "../scene/workbench";
-import type { ClientMessage, Closed, Command, OnlineStart, Pose, ServerMessage, View } from "../wire/messages";
+import type {
+  ClientMessage,
+  Closed,
+  Command,
+  OnlineOptions,
+  OnlineStart,
+  Pose,
+  ServerMessage,
+  View,
+} from "../wire/messages";
 
 export type SessionStage = "off" | "starting" | "on";
 
@@ -28,6 +37,7 @@ export class OnlineSession {
   wrist: Pose | undefined;
   /** A pose of someone else's clock was shown last. */
   tracked = false;
+  options: OnlineOptions = {};
   private readonly clock = new SenderClock();
   private order: OnlineStart | undefined;
   private wanted: BenchScene | undefined;
@@ -70,6 +80,11 @@ export class OnlineSession {
     if (this.order) this.recorder.start(this.order);
   }
 
+  /** Begins anew, with the wrist where it is. */
+  restart(): void {
+    if (this.wanted && this.stage.value !== "off") this.start();
+  }
+
   private start(): void {
     const scene = this.wanted;
     if (!scene || this.app.connection.state.value.kind !== "online") return;
@@ -77,7 +92,14 @@ export class OnlineSession {
     this.wrist = kept?.scene === key_of(scene) ? kept.pose : home_pose(scene.hand, scene.object, scene.scale);
     this.view = undefined;
     this.closed.set(undefined);
-    this.order = { type: "online.start", hand: scene.hand.name, object: scene.object.name, scale: scene.scale, table: scene.table };
+    this.order = {
+      type: "online.start",
+      hand: scene.hand.name,
+      object: scene.object.name,
+      scale: scene.scale,
+      table: scene.table,
+      options: this.options,
+    };
     this.stage.set("starting");
     this.send(this.order);
   }
@@ -85,14 +107,19 @@ export class OnlineSession {
   private receive(message: ServerMessage): void {
     this.recorder.received(message);
     if (message.type === "online.ready") {
-      if (!this.wanted || this.stage.value !== "starting") return;
+      if (!this.wanted || this.stage.value === "off") return;
       this.stage.set("on");
       if (this.wrist) this.move(this.wrist);
     } else if (message.type === "view" && this.stage.value === "on") {
       this.take(message);
     } else if (message.type === "closed") {
       this.closed.set(message);
-    } else if (message.type === "error" && message.code !== "too_fast" && this.stage.value !== "off" && !message.of?.startsWith("plan.")) {
+    } else if (
+      message.type === "error" &&
+      message.code !== "too_fast" &&
+      this.stage.value !== "off" &&
+      !message.of?.startsWith("plan.")
+    ) {
       if (message.of === "online.start") this.stage.set("off");
       this.app.report(message.message);
     }

@@ -8,16 +8,28 @@ import { h, set_text, toggle } from "../ui/dom";
 /** Energy over iterations with the best states as dots, and a slider through those (Fig. 2 of the paper). */
 export class PlanCharts {
   readonly element: HTMLElement;
-  private readonly chart = new TraceChart({
-    x_label: "iteration", y_label: "energy", x_format: (value) => short_count(value),
-    traces: [
-      { label: "chains now", colour: "#5d6b7b", steps: true, decimals: 3 },
-      { label: "best so far", colour: "#58a6ff", steps: true, decimals: 3, fill: true },
-      { label: "best states", colour: "#e0a458", dots: true, decimals: 3 },
-    ],
-  }, (index) => this.pick_near(index));
-  private readonly slider = h("input", { type: "range", id: "milestones", min: 0, max: 0, step: 1, "aria-label": "Best states",
-    oninput: () => this.on_pick(Number(this.slider.value)) });
+  private readonly chart = new TraceChart(
+    {
+      x_label: "iteration",
+      y_label: "energy",
+      x_format: (value) => short_count(value),
+      traces: [
+        { label: "chains now", colour: "#5d6b7b", steps: true, decimals: 3 },
+        { label: "best so far", colour: "#58a6ff", steps: true, decimals: 3, fill: true },
+        { label: "best states", colour: "#e0a458", dots: true, decimals: 3 },
+      ],
+    },
+    (index) => this.pick_near(index),
+  );
+  private readonly slider = h("input", {
+    type: "range",
+    id: "milestones",
+    min: 0,
+    max: 0,
+    step: 1,
+    "aria-label": "Best states",
+    oninput: () => this.on_pick(Number(this.slider.value)),
+  });
   private readonly text = h("output", { for: "milestones" });
   private readonly strip: HTMLElement;
   private count = 0;
@@ -30,8 +42,14 @@ export class PlanCharts {
       this.slider.value = String(next);
       on_pick(next);
     };
-    this.strip = h("div", { class: "strip" }, h("button", { type: "button", title: "Previous best state", onclick: step(-1) }, "◀"),
-      this.slider, h("button", { type: "button", title: "Next best state", onclick: step(1) }, "▶"), this.text);
+    this.strip = h(
+      "div",
+      { class: "strip" },
+      h("button", { type: "button", title: "Previous best state", onclick: step(-1) }, "◀"),
+      this.slider,
+      h("button", { type: "button", title: "Next best state", onclick: step(1) }, "▶"),
+      this.text,
+    );
     this.element = h("div", { class: "page-charts" }, h("div", { class: "chart-box" }, this.chart.element, this.strip));
     this.show(undefined, undefined);
   }
@@ -41,7 +59,12 @@ export class PlanCharts {
     const rows = trace_rows(plan?.trace ?? [], states);
     this.x = rows.map((row) => row.iteration);
     this.places = states.map((state) => state.iteration);
-    this.chart.set_data(this.x, rows.map((row) => row.now), rows.map((row) => row.best), rows.map((row) => row.state));
+    this.chart.set_data(
+      this.x,
+      rows.map((row) => row.now),
+      rows.map((row) => row.best),
+      rows.map((row) => row.state),
+    );
     this.count = states.length;
     toggle(this.strip, states.length > 0);
     this.slider.max = String(Math.max(0, states.length - 1));

@@ -22,13 +22,26 @@ export class PlanPage implements Page {
   readonly panel: HTMLElement;
   readonly charts: HTMLElement;
   readonly hud = h("div", { class: "hud" });
-  readonly legend = [["hand", "--hand"], ["object", "--object"], ["friction cones", "--contact"]] as const;
+  readonly legend = [
+    ["hand", "--hand"],
+    ["object", "--object"],
+    ["friction cones", "--contact"],
+  ] as const;
   private plan = recall<PlanState>("plan");
   private focus: Focus = recall<Focus>("plan.focus") ?? { kind: "newest" };
   private shown = false;
-  private readonly start = h("button", { type: "button", class: "main grow", id: "plan-start", onclick: () => this.start_or_stop() }, "Plan grasps");
+  private readonly start = h(
+    "button",
+    { type: "button", class: "main grow", id: "plan-start", onclick: () => this.start_or_stop() },
+    "Plan grasps",
+  );
   private readonly progress = h("progress", { max: 1, value: 0, "aria-label": "Progress" });
-  private readonly figures = new Figures({ iterations: "Iterations", best: "Best energy", time: "Time", closed: "Form-closed grasps" });
+  private readonly figures = new Figures({
+    iterations: "Iterations",
+    best: "Best energy",
+    time: "Time",
+    closed: "Form-closed grasps",
+  });
   private readonly explanation = h("p", { class: "note", id: "explanation" });
   private readonly options = new PlanOptionsForm();
   private readonly gallery: Gallery;
@@ -40,9 +53,20 @@ export class PlanPage implements Page {
     this.gallery = new Gallery(app.models, (_grasp, number) => this.set_focus({ kind: "grasp", number }));
     this.gallery_section = section("Grasps, by epsilon", this.gallery.element);
     this.grasp_panel = new GraspPanel(app.bench, this.downloads());
-    this.panel = h("div", {}, section("Search", h("div", { class: "row" }, this.start),
-      h("div", { style: "margin:10px 0 8px" }, this.progress), this.figures.element, this.explanation, this.options.element),
-      this.grasp_panel.element, this.gallery_section);
+    this.panel = h(
+      "div",
+      {},
+      section(
+        "Search",
+        h("div", { class: "row" }, this.start),
+        h("div", { style: "margin:10px 0 8px" }, this.progress),
+        this.figures.element,
+        this.explanation,
+        this.options.element,
+      ),
+      this.grasp_panel.element,
+      this.gallery_section,
+    );
     this.charts = this.chart.element;
     app.connection.messages.on((message) => this.receive(message));
     app.connection.state.watch((state) => {
@@ -106,10 +130,15 @@ export class PlanPage implements Page {
 
   /** What was planned belongs to the scene that it was planned in. */
   private scene_changed(scene: BenchScene | undefined): void {
-    if (!scene) return;
+    if (!scene || this.app.page.value === "replay") return;
     const plan = this.plan;
-    const same = plan && plan.hand === scene.hand.name && plan.object === scene.object.name && plan.scale === scene.scale && plan.table === scene.table;
-    if (plan && !same && this.app.page.value !== "replay") {
+    const same =
+      plan &&
+      plan.hand === scene.hand.name &&
+      plan.object === scene.object.name &&
+      plan.scale === scene.scale &&
+      plan.table === scene.table;
+    if (plan && !same) {
       if (plan.running) this.app.connection.send({ type: "plan.stop" });
       this.plan = undefined;
       forget("plan");
@@ -140,15 +169,23 @@ export class PlanPage implements Page {
     this.chart.show(this.plan, this.focus.kind === "milestone" ? index : undefined);
     if (grasp && this.focus.kind === "grasp") {
       this.grasp_panel.show(grasp, `Grasp ${this.focus.number}`);
-      set_text(this.hud, `Grasp ${this.focus.number} · ε ${fixed(grasp.epsilon, 4)} · ${grasp.contacts.length} contacts`);
+      set_text(
+        this.hud,
+        `Grasp ${this.focus.number} · ε ${fixed(grasp.epsilon, 4)} · ${grasp.contacts.length} contacts`,
+      );
       return;
     }
     this.grasp_panel.hide();
     const state = states[index];
-    this.app.bench.pose_hand(state?.link_poses ?? open_hand(scene.hand, home_pose(scene.hand, scene.object, scene.scale)));
-    set_text(this.hud, state
-      ? `Best state ${index + 1} of ${states.length} · iteration ${short_count(state.iteration)} · energy ${fixed(state.energy, 4)}`
-      : `${scene.hand.title} · ${scene.object.name}`);
+    this.app.bench.pose_hand(
+      state?.link_poses ?? open_hand(scene.hand, home_pose(scene.hand, scene.object, scene.scale)),
+    );
+    set_text(
+      this.hud,
+      state
+        ? `Best state ${index + 1} of ${states.length} · iteration ${short_count(state.iteration)} · energy ${fixed(state.energy, 4)}`
+        : `${scene.hand.title} · ${scene.object.name}`,
+    );
   }
 
   private get focused_grasp(): Grasp | undefined {
@@ -159,8 +196,12 @@ export class PlanPage implements Page {
     const plan = this.plan;
     const best = plan && trace_rows(plan.trace, plan.milestones).at(-1)?.best;
     const done = plan?.result ? plan.result.counts.states : plan?.iterations;
-    this.figures.set({ iterations: plan ? `${short_count(done)} / ${short_count(plan.total || done)}` : "–", best: fixed(best, 4),
-      time: duration(plan?.seconds), closed: plan?.result ? `${plan.result.counts.form_closed} of ${plan.result.counts.tested}` : "–" });
+    this.figures.set({
+      iterations: plan ? `${short_count(done)} / ${short_count(plan.total || done)}` : "–",
+      best: fixed(best, 4),
+      time: duration(plan?.seconds),
+      closed: plan?.result ? `${plan.result.counts.form_closed} of ${plan.result.counts.tested}` : "–",
+    });
     this.progress.value = plan?.result ? 1 : plan && plan.total > 0 ? plan.iterations / plan.total : 0;
     this.start.disabled = this.app.connection.state.value.kind !== "online";
     set_text(this.start, plan?.running ? "Stop" : "Plan grasps");
@@ -172,16 +213,50 @@ export class PlanPage implements Page {
 
   private downloads(): HTMLElement {
     const file = (text: string, id: string, name: () => string, of: () => Promise<Blob>) =>
-      h("button", { type: "button", id, onclick: () => {
-        of().then((blob) => save_file(blob, name()), (problem: unknown) => this.app.report(problem));
-      } }, text);
+      h(
+        "button",
+        {
+          type: "button",
+          id,
+          onclick: () => {
+            of().then(
+              (blob) => save_file(blob, name()),
+              (problem: unknown) => this.app.report(problem),
+            );
+          },
+        },
+        text,
+      );
     const id = () => this.plan?.id ?? "";
     const number = () => (this.focus.kind === "grasp" ? this.focus.number : 1);
     const stem = () => `${this.plan?.object ?? "object"}-${this.plan?.hand ?? "hand"}`;
-    return h("div", { class: "row", style: "margin-top:6px" },
-      file("JSON", "save-json", () => `${stem()}-grasps.json`, () => this.app.api.plan_file(id(), "grasps.json")),
-      file("CSV", "save-csv", () => `${stem()}-grasps.csv`, () => this.app.api.plan_file(id(), "grasps.csv")),
-      file("GLB", "save-glb", () => `${stem()}-grasp-${number()}.glb`, () => this.app.api.plan_file(id(), `grasp-${number()}.glb`)),
-      file("Picture", "save-png", () => `${stem()}-grasp-${number()}.png`, () => this.app.stage.picture()));
+    return h(
+      "div",
+      { class: "row", style: "margin-top:6px" },
+      file(
+        "JSON",
+        "save-json",
+        () => `${stem()}-grasps.json`,
+        () => this.app.api.plan_file(id(), "grasps.json"),
+      ),
+      file(
+        "CSV",
+        "save-csv",
+        () => `${stem()}-grasps.csv`,
+        () => this.app.api.plan_file(id(), "grasps.csv"),
+      ),
+      file(
+        "GLB",
+        "save-glb",
+        () => `${stem()}-grasp-${number()}.glb`,
+        () => this.app.api.plan_file(id(), `grasp-${number()}.glb`),
+      ),
+      file(
+        "Picture",
+        "save-png",
+        () => `${stem()}-grasp-${number()}.png`,
+        () => this.app.stage.picture(),
+      ),
+    );
   }
 }

@@ -11,7 +11,10 @@ import { table_material } from "./palette";
 export class HandFigure extends Group {
   private links: (Mesh | undefined)[] = [];
 
-  constructor(private readonly look: Material, private readonly solid = true) {
+  constructor(
+    private readonly look: Material,
+    private readonly solid = true,
+  ) {
     super();
   }
 

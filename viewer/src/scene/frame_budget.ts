@@ -25,6 +25,14 @@ const enough = 6;
 /** Where the processor draws, each pixel counts. */
 export const software_level = 2;
 
+export type QualityChoice = "fine" | "fast" | "auto";
+
+/** The part of an address after "?": "quality=fine" and "quality=fast" keep to one level, whatever frames cost. */
+export function quality_choice(search: string): QualityChoice {
+  const value = new URLSearchParams(search).get("quality");
+  return value === "fine" || value === "fast" ? value : "auto";
+}
+
 export function draws_by_software(): boolean {
   const gl = document.createElement("canvas").getContext("webgl2");
   const names = gl?.getExtension("WEBGL_debug_renderer_info");
@@ -37,7 +45,10 @@ export function draws_by_software(): boolean {
 export class FrameBudget {
   private costs: number[] = [];
 
-  constructor(private readonly lowest: number, public level = 0) {}
+  constructor(
+    private readonly lowest: number,
+    public level = 0,
+  ) {}
 
   /** Tells whether the level changed. */
   add(cost_ms: number): boolean {

@@ -35,8 +35,14 @@ const fragment = /* glsl */ `
 /** Lines on the ground every 50 mm, stronger ones every 250 mm, that fade away from the middle. */
 export function ground_grid(): Mesh<PlaneGeometry, ShaderMaterial> {
   const reach = 1.6;
-  const material = new ShaderMaterial({ vertexShader: vertex, fragmentShader: fragment, transparent: true, depthWrite: false, side: DoubleSide,
-    uniforms: { ink: { value: new Color("#5a6b7f") }, reach: { value: reach } } });
+  const material = new ShaderMaterial({
+    vertexShader: vertex,
+    fragmentShader: fragment,
+    transparent: true,
+    depthWrite: false,
+    side: DoubleSide,
+    uniforms: { ink: { value: new Color("#5a6b7f") }, reach: { value: reach } },
+  });
   const grid = new Mesh(new PlaneGeometry(2 * reach, 2 * reach), material);
   grid.renderOrder = -1;
   return grid;

@@ -1,8 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
 import {
-  AdditiveBlending, BufferGeometry, ConeGeometry, DoubleSide, Float32BufferAttribute, Group, InstancedMesh,
-  LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshBasicMaterial, MeshStandardMaterial, Quaternion, SphereGeometry, Vector3,
+  AdditiveBlending,
+  BufferGeometry,
+  ConeGeometry,
+  DoubleSide,
+  Float32BufferAttribute,
+  Group,
+  InstancedMesh,
+  LineBasicMaterial,
+  LineSegments,
+  Matrix4,
+  Mesh,
+  MeshBasicMaterial,
+  MeshStandardMaterial,
+  Quaternion,
+  SphereGeometry,
+  Vector3,
 } from "three";
 import { to_vector } from "../core/pose";
 import type { Contact, SearchCone } from "../wire/messages";
@@ -18,12 +32,23 @@ export function cone_half_angle(friction: number): number {
 /** Contacts: a dot at the point and the friction cone, which opens into the object. */
 export class ContactMarks extends Group {
   private readonly surface = new MeshStandardMaterial({
-    color: palette.contact, emissive: palette.contact.clone().multiplyScalar(0.35), transparent: true, opacity: 0.5,
-    side: DoubleSide, depthWrite: false, roughness: 0.6,
+    color: palette.contact,
+    emissive: palette.contact.clone().multiplyScalar(0.35),
+    transparent: true,
+    opacity: 0.5,
+    side: DoubleSide,
+    depthWrite: false,
+    roughness: 0.6,
   });
   /** What of the cones is hidden, shown faintly. */
   private readonly hidden = new MeshBasicMaterial({
-    color: palette.contact, transparent: true, opacity: 0.16, side: DoubleSide, depthWrite: false, depthTest: false });
+    color: palette.contact,
+    transparent: true,
+    opacity: 0.16,
+    side: DoubleSide,
+    depthWrite: false,
+    depthTest: false,
+  });
   private readonly dot = new MeshBasicMaterial({ color: "#ffd0d6", depthTest: false, transparent: true });
 
   /** @param height of the cones [m] */
@@ -53,15 +78,25 @@ export function contact_matrix(contact: Contact, slant: number): Matrix4 {
   const angle = cone_half_angle(contact.friction);
   const rotation = new Quaternion().setFromUnitVectors(up, to_vector(contact.normal).normalize());
   const radius = Math.max(slant * Math.sin(angle), slant * 0.02);
-  return new Matrix4().compose(to_vector(contact.point), rotation, new Vector3(radius, slant * Math.cos(angle), radius));
+  return new Matrix4().compose(
+    to_vector(contact.point),
+    rotation,
+    new Vector3(radius, slant * Math.cos(angle), radius),
+  );
 }
 
 /** The region ahead of the wrist that is searched: a cone cut off by a ball about its apex. */
 export class SearchConeMark extends Group {
   private readonly skin = new Mesh(
     new BufferGeometry(),
-    new MeshBasicMaterial({ color: palette.cone, transparent: true, opacity: 0.09, side: DoubleSide, depthWrite: false,
-      blending: AdditiveBlending }),
+    new MeshBasicMaterial({
+      color: palette.cone,
+      transparent: true,
+      opacity: 0.09,
+      side: DoubleSide,
+      depthWrite: false,
+      blending: AdditiveBlending,
+    }),
   );
   private readonly edges = new LineSegments(
     new BufferGeometry(),
@@ -93,7 +128,11 @@ export class SearchConeMark extends Group {
 }
 
 function on_ball(angle: number, turn: number, radius: number): [number, number, number] {
-  return [radius * Math.sin(angle) * Math.cos(turn), radius * Math.cos(angle), radius * Math.sin(angle) * Math.sin(turn)];
+  return [
+    radius * Math.sin(angle) * Math.cos(turn),
+    radius * Math.cos(angle),
+    radius * Math.sin(angle) * Math.sin(turn),
+  ];
 }
 
 /** Side and round cap, tip at the origin, along +y. */

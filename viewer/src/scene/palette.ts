@@ -16,10 +16,22 @@ export const palette = {
 };
 
 export const hand_material = (): MeshPhysicalMaterial =>
-  new MeshPhysicalMaterial({ color: palette.hand, roughness: 0.48, metalness: 0, clearcoat: 0.3, clearcoatRoughness: 0.45 });
+  new MeshPhysicalMaterial({
+    color: palette.hand,
+    roughness: 0.48,
+    metalness: 0,
+    clearcoat: 0.3,
+    clearcoatRoughness: 0.45,
+  });
 
 export const object_material = (): MeshStandardMaterial =>
-  new MeshStandardMaterial({ color: palette.object, roughness: 0.62, metalness: 0.0, side: DoubleSide, shadowSide: BackSide });
+  new MeshStandardMaterial({
+    color: palette.object,
+    roughness: 0.62,
+    metalness: 0.0,
+    side: DoubleSide,
+    shadowSide: BackSide,
+  });
 
 export const table_material = (): MeshStandardMaterial =>
   new MeshStandardMaterial({ color: palette.table, roughness: 0.9, metalness: 0.0 });

@@ -1,13 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
 import {
-  DirectionalLight, Group, HemisphereLight, NeutralToneMapping, PCFShadowMap, PerspectiveCamera, PMREMGenerator,
-  Scene, type Texture, Vector3, WebGLRenderer,
+  DirectionalLight,
+  Group,
+  HemisphereLight,
+  NeutralToneMapping,
+  PCFShadowMap,
+  PerspectiveCamera,
+  PMREMGenerator,
+  Scene,
+  type Texture,
+  Vector3,
+  WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { RoomEnvironment } from "three/examples/jsm/environments/RoomEnvironment.js";
 import { Topic } from "../core/signal";
-import { draws_by_software, FrameBudget, qualities, software_level, when_drawn } from "./frame_budget";
+import {
+  draws_by_software,
+  FrameBudget,
+  qualities,
+  type QualityChoice,
+  software_level,
+  when_drawn,
+} from "./frame_budget";
 import { palette } from "./palette";
 
 export interface CameraPlace {
@@ -32,11 +48,15 @@ export class Stage {
   private surroundings: Texture | null = null;
   private measuring = false;
   private wanted = false;
+  /** The last frame asked for the next one: the time between them is that of a motion. */
+  private flowing = false;
   private last = 0;
 
-  /** @param adapt draws less finely where frames take long */
-  constructor(private readonly box: HTMLElement, private readonly adapt = true) {
-    const plain = adapt && draws_by_software();
+  constructor(
+    private readonly box: HTMLElement,
+    private readonly quality: QualityChoice = "auto",
+  ) {
+    const plain = quality === "fast" || (quality === "auto" && draws_by_software());
     this.budget = new FrameBudget(this.levels.length - 1, plain ? software_level : 0);
     this.renderer = new WebGLRenderer({ antialias: !plain, powerPreference: "high-performance" });
     this.renderer.shadowMap.enabled = true;
@@ -108,7 +128,9 @@ export class Stage {
   picture(): Promise<Blob> {
     this.renderer.render(this.scene, this.camera);
     return new Promise((resolve, reject) => {
-      this.renderer.domElement.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("The picture could not be made"))));
+      this.renderer.domElement.toBlob((blob) =>
+        blob ? resolve(blob) : reject(new Error("The picture could not be made")),
+      );
     });
   }
 
@@ -128,17 +150,18 @@ export class Stage {
 
   private draw(now: number): void {
     this.wanted = false;
-    const seconds = Math.min(0.1, Math.max(0.001, (now - this.last) / 1e3));
+    const seconds = this.flowing ? Math.min(0.25, Math.max(0.001, (now - this.last) / 1e3)) : 1 / 60;
     this.last = now;
     this.frames.emit(seconds);
     if (this.orbit.update()) this.request();
+    this.flowing = this.wanted;
     this.renderer.render(this.scene, this.camera);
     this.measure();
   }
 
   private measure(): void {
     const gl = this.renderer.getContext();
-    if (!this.adapt || this.measuring || !(gl instanceof WebGL2RenderingContext)) return;
+    if (this.quality !== "auto" || this.measuring || !(gl instanceof WebGL2RenderingContext)) return;
     this.measuring = true;
     when_drawn(gl, (ms) => {
       this.measuring = false;

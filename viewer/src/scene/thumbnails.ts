@@ -1,6 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
-import { Box3, Color, NeutralToneMapping, DirectionalLight, HemisphereLight, Mesh, PerspectiveCamera, Scene, Sphere, Vector3, WebGLRenderer } from "three";
+import {
+  Box3,
+  Color,
+  NeutralToneMapping,
+  DirectionalLight,
+  HemisphereLight,
+  Mesh,
+  PerspectiveCamera,
+  Scene,
+  Sphere,
+  Vector3,
+  WebGLRenderer,
+} from "three";
 import type { LinkPoses } from "../wire/messages";
 import { HandFigure, object_mesh } from "./figures";
 import type { ModelLibrary } from "./models";
@@ -31,7 +43,10 @@ export class Thumbnails {
   }
 
   async set_scene(scene: BenchScene): Promise<void> {
-    const [hand, object] = await Promise.all([this.models.hand(scene.hand.name), this.models.object(scene.object.name)]);
+    const [hand, object] = await Promise.all([
+      this.models.hand(scene.hand.name),
+      this.models.object(scene.object.name),
+    ]);
     this.hand.build(hand, scene.hand.links);
     if (this.object) this.scene.remove(this.object);
     const surface = object.values().next().value;

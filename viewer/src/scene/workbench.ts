@@ -48,7 +48,10 @@ export class Workbench {
   /** Loads the models and puts them up; of several calls the last one wins. Tells whether this one did. */
   async set_scene(scene: BenchScene): Promise<boolean> {
     const turn = ++this.turn;
-    const [hand, object] = await Promise.all([this.models.hand(scene.hand.name), this.models.object(scene.object.name)]);
+    const [hand, object] = await Promise.all([
+      this.models.hand(scene.hand.name),
+      this.models.object(scene.object.name),
+    ]);
     if (turn !== this.turn) return false;
     this.hand.build(hand, scene.hand.links);
     this.ghost.build(hand, scene.hand.links);

@@ -12,7 +12,10 @@ export class WristGizmo {
   private readonly controls: TransformControls;
   private readonly helper: Object3D;
 
-  constructor(private readonly stage: Stage, on_drag: (pose: Pose) => void) {
+  constructor(
+    private readonly stage: Stage,
+    on_drag: (pose: Pose) => void,
+  ) {
     this.controls = new TransformControls(stage.camera, stage.renderer.domElement);
     this.controls.setSize(0.8);
     this.controls.setColors("#ff5d73", "#3ddc97", "#58a6ff", "#ffd866");
@@ -23,7 +26,9 @@ export class WristGizmo {
       stage.orbit.enabled = event.value !== true;
     });
     this.controls.addEventListener("change", () => stage.request());
-    this.controls.addEventListener("objectChange", () => on_drag(from_parts(this.handle.position, this.handle.quaternion)));
+    this.controls.addEventListener("objectChange", () =>
+      on_drag(from_parts(this.handle.position, this.handle.quaternion)),
+    );
     stage.world.add(this.handle);
     stage.scene.add(this.helper);
     this.show(false);

@@ -46,6 +46,16 @@ export function field(name: string, control: HTMLElement): HTMLLabelElement {
   return h("label", { class: "field" }, h("span", {}, name), control);
 }
 
+export function number_input(
+  id: string,
+  min: number,
+  max: number,
+  step: number | "any",
+  required = true,
+): HTMLInputElement {
+  return h("input", { type: "number", id, min, max, step, required });
+}
+
 export function tick(name: string, checked: boolean, on_change: (checked: boolean) => void): HTMLLabelElement {
   const box = h("input", { type: "checkbox", checked, onchange: () => on_change(box.checked) });
   return h("label", { class: "tick" }, box, name);
@@ -65,11 +75,15 @@ export function save_file(content: Blob | string, name: string): void {
 
 /** An area to drop a file on, or to click. */
 export function drop_area(text: string, accept: string, on_file: (file: File) => void): HTMLElement {
-  const input = h("input", { type: "file", accept, onchange: () => {
-    const file = input.files?.[0];
-    input.value = "";
-    if (file) on_file(file);
-  } });
+  const input = h("input", {
+    type: "file",
+    accept,
+    onchange: () => {
+      const file = input.files?.[0];
+      input.value = "";
+      if (file) on_file(file);
+    },
+  });
   const area = h("label", { class: "drop" }, text, input);
   const over = (on: boolean) => (event: DragEvent) => {
     event.preventDefault();

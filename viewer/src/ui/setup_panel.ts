@@ -7,7 +7,12 @@ import type { Object as SceneObject } from "../wire/messages";
 import { h, set_text, toggle } from "./dom";
 import { drop_area, field, Figures, options_of, section, tick } from "./parts";
 
-const units: readonly (readonly [Units, string])[] = [["m", "metre"], ["cm", "centimetre"], ["mm", "millimetre"], ["in", "inch"]];
+const units: readonly (readonly [Units, string])[] = [
+  ["m", "metre"],
+  ["cm", "centimetre"],
+  ["mm", "millimetre"],
+  ["in", "inch"],
+];
 
 /** Left column: what is grasped with, and what is grasped. */
 export function setup_panel(app: App): HTMLElement {
@@ -15,8 +20,13 @@ export function setup_panel(app: App): HTMLElement {
     const choice = app.choice.value;
     if (choice) app.choice.set({ ...choice, ...part });
   };
-  const lock = h("fieldset", { style: "border:0;margin:0;padding:0;min-width:0" },
-    hand_section(app, change), object_section(app, change), scene_section(app, change));
+  const lock = h(
+    "fieldset",
+    { style: "border:0;margin:0;padding:0;min-width:0" },
+    hand_section(app, change),
+    object_section(app, change),
+    scene_section(app, change),
+  );
   const hint = h("p", { class: "note", style: "padding:0 14px" }, "The scene is that of the log.");
   app.page.watch((page) => {
     lock.disabled = page === "replay";
@@ -35,9 +45,17 @@ function hand_section(app: App, change: Change): HTMLElement {
     const status = app.status.value;
     const hand = app.hand(app.choice.value?.hand ?? "");
     if (!status || !hand) return;
-    list.replaceChildren(...options_of(status.hands.map((one) => [one.name, one.name] as const), hand.name));
+    list.replaceChildren(
+      ...options_of(
+        status.hands.map((one) => [one.name, one.name] as const),
+        hand.name,
+      ),
+    );
     set_text(title, hand.title);
-    set_text(facts, `${hand.n_dof} DOF · ${hand.eigengrasps} eigengrasps · ${hand.n_links} links · reach ${(hand.reach * 1e3).toFixed(0)} mm`);
+    set_text(
+      facts,
+      `${hand.n_dof} DOF · ${hand.eigengrasps} eigengrasps · ${hand.n_links} links · reach ${(hand.reach * 1e3).toFixed(0)} mm`,
+    );
   };
   app.status.watch(show);
   app.choice.watch(show);
@@ -49,7 +67,11 @@ function object_section(app: App, change: Change): HTMLElement {
   const figures = new Figures({ size: "Size [mm]", triangles: "Triangles" });
   const note = h("p", { class: "note" });
   const unit = h("select", { id: "units" }, ...options_of(units, "m"));
-  const drop = drop_area("Drop a mesh here, or choose a file", ".obj,.stl,.ply,.off,.glb,.gltf,.dae,.iv,.wrl", (file) => void upload(file));
+  const drop = drop_area(
+    "Drop a mesh here, or choose a file",
+    ".obj,.stl,.ply,.off,.glb,.gltf,.dae,.iv,.wrl",
+    (file) => void upload(file),
+  );
 
   async function upload(file: File): Promise<void> {
     note.className = "note";
@@ -71,10 +93,15 @@ function object_section(app: App, change: Change): HTMLElement {
     const choice = app.choice.value;
     const object = app.object(choice?.object ?? "");
     if (!app.status.value || !choice || !object) return;
-    list.replaceChildren(...app.status.value.objects.map((one) => object_button(one, one.name === choice.object,
-      () => change({ object: one.name, scale: 1 }))));
-    figures.set({ size: object.size.map((side) => (side * choice.scale * 1e3).toFixed(0)).join(" × "),
-      triangles: short_count(object.triangles) });
+    list.replaceChildren(
+      ...app.status.value.objects.map((one) =>
+        object_button(one, one.name === choice.object, () => change({ object: one.name, scale: 1 })),
+      ),
+    );
+    figures.set({
+      size: object.size.map((side) => (side * choice.scale * 1e3).toFixed(0)).join(" × "),
+      triangles: short_count(object.triangles),
+    });
   };
   app.status.watch(show);
   app.choice.watch(show);
@@ -86,14 +113,25 @@ function object_section(app: App, change: Change): HTMLElement {
 
 function object_button(object: SceneObject, chosen: boolean, on_click: () => void): HTMLElement {
   const longest = Math.max(...object.size) * 1e3;
-  return h("button", { type: "button", "data-object": object.name, "aria-pressed": String(chosen), onclick: on_click },
-    h("span", {}, object.name), h("small", {}, object.uploaded ? "yours" : `${longest.toFixed(0)} mm`));
+  return h(
+    "button",
+    { type: "button", "data-object": object.name, "aria-pressed": String(chosen), onclick: on_click },
+    h("span", {}, object.name),
+    h("small", {}, object.uploaded ? "yours" : `${longest.toFixed(0)} mm`),
+  );
 }
 
 function scene_section(app: App, change: Change): HTMLElement {
-  const scale = h("input", { type: "number", id: "scale", min: 0.001, max: 1000, step: "any", onchange: () => {
-    if (scale.checkValidity() && scale.value !== "") change({ scale: Number(scale.value) });
-  } });
+  const scale = h("input", {
+    type: "number",
+    id: "scale",
+    min: 0.001,
+    max: 1000,
+    step: "any",
+    onchange: () => {
+      if (scale.checkValidity() && scale.value !== "") change({ scale: Number(scale.value) });
+    },
+  });
   const table = tick("Object stands on a table", false, (on) => change({ table: on }));
   const box = table.querySelector("input");
   app.choice.watch((choice) => {

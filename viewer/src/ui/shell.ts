@@ -11,23 +11,36 @@ const titles = { plan: "Plan", interactive: "Interactive", replay: "Replay" };
 /** The top of the page: name, pages, link to the server. */
 export function header(app: { page: App["page"] }, link: HTMLElement): HTMLElement {
   const tabs = page_names.map((name) =>
-    h("button", { type: "button", "data-page": name, onclick: () => app.page.set(name) }, titles[name]));
-  app.page.watch((page) => tabs.forEach((tab) => {
-    if (tab.dataset["page"] === page) tab.setAttribute("aria-current", "page");
-    else tab.removeAttribute("aria-current");
-  }));
-  return h("header", {},
+    h("button", { type: "button", "data-page": name, onclick: () => app.page.set(name) }, titles[name]),
+  );
+  app.page.watch((page) =>
+    tabs.forEach((tab) => {
+      if (tab.dataset["page"] === page) tab.setAttribute("aria-current", "page");
+      else tab.removeAttribute("aria-current");
+    }),
+  );
+  return h(
+    "header",
+    {},
     h("div", { class: "brand" }, h("img", { src: "./icon.svg", alt: "" }), "eigengrasp"),
-    h("nav", { "aria-label": "Pages" }, ...tabs), h("div", { class: "spring" }), link);
+    h("nav", { "aria-label": "Pages" }, ...tabs),
+    h("div", { class: "spring" }),
+    link,
+  );
 }
 
 export function link_state(app: App): HTMLElement {
   const element = h("div", { class: "link", role: "status" });
   app.connection.state.watch((state) => {
     element.dataset["kind"] = state.kind;
-    set_text(element, state.kind === "online"
-      ? `${state.welcome.program} ${state.welcome.version} · ${state.welcome.session ?? ""}`
-      : { connecting: "connecting …", waiting: "no server", token: "token needed", incompatible: "another version" }[state.kind]);
+    set_text(
+      element,
+      state.kind === "online"
+        ? `${state.welcome.program} ${state.welcome.version} · ${state.welcome.session ?? ""}`
+        : { connecting: "connecting …", waiting: "no server", token: "token needed", incompatible: "another version" }[
+            state.kind
+          ],
+    );
   });
   return element;
 }
@@ -39,8 +52,12 @@ export function banners(app: App): HTMLElement {
   const link = h("div", { class: "banner", "data-tone": "bad", role: "alert", id: "link-banner" }, link_text, retry);
   const token = token_banner(app);
   const notice_text = h("span", {});
-  const notice = h("div", { class: "banner", "data-tone": "warn", role: "alert", id: "notice" }, notice_text,
-    h("button", { type: "button", onclick: () => app.notice.set("") }, "Dismiss"));
+  const notice = h(
+    "div",
+    { class: "banner", "data-tone": "warn", role: "alert", id: "notice" },
+    notice_text,
+    h("button", { type: "button", onclick: () => app.notice.set("") }, "Dismiss"),
+  );
 
   let lost = false;
   const show = (state: LinkState) => {
@@ -77,11 +94,21 @@ export function link_sentence(state: LinkState, now = performance.now()): string
 
 function token_banner(app: App): HTMLElement {
   const input = h("input", { type: "password", placeholder: "token", autocomplete: "off", "aria-label": "token" });
-  const form = h("form", { class: "banner", "data-tone": "warn", id: "token-banner", onsubmit: (event) => {
-    event.preventDefault();
-    if (input.value) app.use_token(input.value.trim());
-    input.value = "";
-  } }, h("span", {}, "This server asks for a token: it was printed when the server began."), input,
-    h("button", { type: "submit", class: "main" }, "Connect"));
+  const form = h(
+    "form",
+    {
+      class: "banner",
+      "data-tone": "warn",
+      id: "token-banner",
+      onsubmit: (event) => {
+        event.preventDefault();
+        if (input.value) app.use_token(input.value.trim());
+        input.value = "";
+      },
+    },
+    h("span", {}, "This server asks for a token: it was printed when the server began."),
+    input,
+    h("button", { type: "submit", class: "main" }, "Connect"),
+  );
   return form;
 }

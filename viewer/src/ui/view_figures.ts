@@ -13,23 +13,39 @@ export class ViewFigures {
   readonly solutions: HTMLElement;
   private readonly offered = new BigFigure("ε offered", "offered");
   private readonly closing = new BigFigure("ε if closed now", "now");
-  private readonly figures = new Figures({ phase: "Phase", preshape: "Preshape", first: "First grasp after",
-    postures: "Postures a second", candidates: "Candidates a second", form_closed: "Form-closed so far" });
+  private readonly figures = new Figures({
+    phase: "Phase",
+    preshape: "Preshape",
+    first: "First grasp after",
+    postures: "Postures a second",
+    candidates: "Candidates a second",
+    form_closed: "Form-closed so far",
+  });
   private readonly rows = h("tbody");
   private shown = "";
 
   constructor() {
     this.figures.element.style.marginTop = "10px";
     const heads = ["id", "ε", "ahead", "angle", "aside", "age"].map((name) => h("th", {}, name));
-    this.offer = section("Offer", h("div", { class: "big" }, this.offered.element, this.closing.element), this.figures.element);
-    this.solutions = section("Solutions", h("table", { id: "solutions" }, h("thead", {}, h("tr", {}, ...heads)), this.rows));
+    this.offer = section(
+      "Offer",
+      h("div", { class: "big" }, this.offered.element, this.closing.element),
+      this.figures.element,
+    );
+    this.solutions = section(
+      "Solutions",
+      h("table", { id: "solutions" }, h("thead", {}, h("tr", {}, ...heads)), this.rows),
+    );
   }
 
   show(view: View | undefined): void {
     const offer = view?.offer && view.solutions.find((one) => one.id === view.offer?.id);
     this.offered.set(fixed(offer?.epsilon, 3), offer ? "good" : "");
     const now = view?.epsilon_now;
-    this.closing.set(now !== undefined && now < 0 ? "no hold" : fixed(now, 3), now === undefined ? "" : now > 0 ? "good" : "bad");
+    this.closing.set(
+      now !== undefined && now < 0 ? "no hold" : fixed(now, 3),
+      now === undefined ? "" : now > 0 ? "good" : "bad",
+    );
     this.figures.set({
       phase: view ? phases[view.phase] + (view.blocked && view.phase === "approach" ? ", blocked" : "") : "–",
       preshape: view ? `${fixed(view.preshape * 100, 0)} %` : "–",
@@ -42,8 +58,16 @@ export class ViewFigures {
   }
 
   private list(solutions: readonly Solution[], offered: number | undefined): void {
-    const rows = solutions.slice(0, 6).map((one) => [String(one.id), fixed(one.epsilon, 3), millimetres(one.distance),
-      degrees(one.angle), millimetres(one.offset), duration(Math.round(one.age * 10) / 10)]);
+    const rows = solutions
+      .slice(0, 6)
+      .map((one) => [
+        String(one.id),
+        fixed(one.epsilon, 3),
+        millimetres(one.distance),
+        degrees(one.angle),
+        millimetres(one.offset),
+        duration(Math.round(one.age * 10) / 10),
+      ]);
     const text = JSON.stringify([rows, offered]);
     if (text === this.shown) return;
     this.shown = text;
