@@ -36,38 +36,33 @@ inline Float4 sine_bound(Float4 c) {
 /// by more than its rounding.
 class MovingBoxes {
  public:
+  MovingBoxes(const MovingBoxes&) = delete;
+  MovingBoxes& operator=(const MovingBoxes&) = delete;
   explicit MovingBoxes(const SurfaceMotion& motion) {
     add_packs(motion.of_a);
-    n_of_a_ = packs_.size();
+    n_of_a_ = n_;
     add_packs(motion.of_b);
   }
 
-  /// Gap of two boxes and how they stand to a motion of `time` in which they may come nearer by `reserve`
-  /// besides: apart all the while, as some axis of one of them shows, or not surely.
+  /// Gap of two boxes and the time [s] for which some axis shows them to stay farther apart than the margin.
   struct Outlook {
     float gap;
-    bool apart;
+    double time;
   };
-  Outlook look(const TurnedBox& a, const TurnedBox& b, float time, float reserve) const {
+  Outlook look(const TurnedBox& a, const TurnedBox& b, double margin, double acceleration) const {
     const Gaps gaps(a, b);
     const float gap = gaps.largest();
-    if (gap <= reserve) return {gap, false};
-    const float slow = 1.00001f * time;
+    if (gap <= static_cast<float>(margin)) return {gap, 0.0};
     Axis axes[6];
-    const int n = closing_axes(a, b, gaps, reserve, axes);
-    for (int i = 0; i < n; ++i)
-      if (axes[i].gap - slow * axes[i].rate() > reserve) return {gap, true};
-    return {gap, false};
-  }
-
-  /// Time [s] for which some axis shows two boxes to stay farther apart than the margin.
-  double time_apart(const TurnedBox& a, const TurnedBox& b, double margin, double acceleration) const {
-    Axis axes[6];
-    const int n = closing_axes(a, b, Gaps(a, b), static_cast<float>(margin), axes);
+    const int n = closing_axes(a, b, gaps, static_cast<float>(margin), axes);
     double time = 0.0;
-    for (int i = 0; i < n; ++i)
-      time = std::max(time, time_to_close(axes[i].gap - margin, 1.00001 * axes[i].rate(), acceleration));
-    return time;
+    for (int i = 0; i < n; ++i) {
+      const double free = axes[i].gap - margin;
+      const double rate = 1.00001 * axes[i].rate();
+      if (free > time * (rate + 0.5 * acceleration * time))
+        time = std::max(time, time_to_close(free, rate, acceleration));
+    }
+    return {gap, time};
   }
 
  private:
@@ -87,10 +82,10 @@ class MovingBoxes {
 
   /// Four joints of one surface.
   struct Pack {
-    Float4 angular[3]{};
-    Float4 linear[3]{};
-    Float4 axis[3]{};
-    Float4 spin{};
+    Float4 angular[3];
+    Float4 linear[3];
+    Float4 axis[3];
+    Float4 spin;
   };
 
   /// Direction from b to a, the gap along it, and how fast it can close at first, by joints.
@@ -103,8 +98,8 @@ class MovingBoxes {
 
   void add_packs(std::span<const Screw> joints) {
     for (std::size_t j = 0; j < joints.size(); ++j) {
-      if (j % 4 == 0) packs_.emplace_back();
-      Pack& pack = packs_.back();
+      if (j % 4 == 0) add_pack();
+      Pack& pack = packs_[n_ - 1];
       const Screw& s = joints[j];
       const double spin = s.angular.norm();
       for (int k = 0; k < 3; ++k) {
@@ -114,6 +109,17 @@ class MovingBoxes {
       }
       pack.spin[j % 4] = static_cast<float>(spin);
     }
+  }
+
+  void add_pack() {
+    if (n_ == few) many_.assign(packs_, packs_ + n_);
+    if (n_ >= few) {
+      many_.emplace_back();
+      packs_ = many_.data();
+    } else {
+      packs_[n_] = Pack{};
+    }
+    ++n_;
   }
 
   /// The axes along which the gap is larger than the reserve.
@@ -132,7 +138,7 @@ class MovingBoxes {
     }
     if (n > 0) {
       for (std::size_t p = 0; p < n_of_a_; ++p) add_rates(packs_[p], a, -1.0f, axes, n);
-      for (std::size_t p = n_of_a_; p < packs_.size(); ++p) add_rates(packs_[p], b, 1.0f, axes, n);
+      for (std::size_t p = n_of_a_; p < n_; ++p) add_rates(packs_[p], b, 1.0f, axes, n);
     }
     return n;
   }
@@ -153,7 +159,11 @@ class MovingBoxes {
     }
   }
 
-  std::vector<Pack> packs_;  ///< those of a first
+  static constexpr std::size_t few = 6;
+  Pack few_[few];
+  std::vector<Pack> many_;  ///< only where there are more
+  Pack* packs_ = few_;      ///< those of a first
+  std::size_t n_ = 0;
   std::size_t n_of_a_ = 0;
 };
 

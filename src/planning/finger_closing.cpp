@@ -23,7 +23,7 @@ struct Pair {
   int link;
   int other;                ///< obstacle or second link
   double free_until = 0.0;  ///< time up to which the two are sure to be apart [s]
-  PairHint hint = {};
+  SeparationFront front = {};
   int first_joint = 0;  ///< of the joints that move the other surface, then the link, in the list of all
   int first_of_link = 0;
   int end_joint = 0;
@@ -191,30 +191,28 @@ class FingerCloser {
   FreeTime look(Pair& p, double t, double touching = -1.0) {
     const SurfaceMotion motion = motion_of(p, t);
     FreeTime free{infinity, infinity};
+    p.free_until = infinity;
     if (t == 0.0 || !motion.still()) {
-      free.time = rough_time(p, motion, t);
-      if (free.time < tick_) free = time_of_surfaces(p, motion, t, touching);
+      const double horizon = horizon_of(p, motion, t);
+      if (p.kind == Pair::Kind::links) free.time = time_of_bounds(p, motion, t);
+      if (p.kind == Pair::Kind::links && free.time >= horizon) {
+        p.free_until = t + free.time;
+      } else {
+        free = time_of_surfaces(p, motion, t, horizon, touching);
+        p.free_until = p.front.free_until();
+      }
     }
-    p.free_until = t + free.time;
     // Pairs that are looked at together share the poses.
-    if (free.time > tick_) p.free_until = std::floor(p.free_until / tick_) * tick_;
+    if (p.free_until > t + tick_) p.free_until = std::floor(p.free_until / tick_) * tick_;
     return free;
   }
 
   double margin() const { return 0.5 * options_.contact_gap; }
 
-  /// Free time of the object's field and parts of the link, or of balls and boxes about two links.
-  double rough_time(const Pair& p, const SurfaceMotion& motion, double t) {
-    if (p.kind == Pair::Kind::links) {
-      const double time = time_of_bounds(p, motion, t);
-      return time >= tick_ ? time
-                           : compute_rough_free_time(surface(p.other).bvh, motion_.pose(p.other, t),
-                                                     surface(p.link).bvh, motion_.pose(p.link, t), motion,
-                                                     margin(), horizon_ticks * tick_);
-    }
-    if (p.kind == Pair::Kind::obstacle || model_.object_field().empty()) return 0.0;
-    return compute_rough_free_time(model_.object_field(), surface(p.link).bvh, motion_.pose(p.link, t),
-                                   motion, margin(), infinity);
+  /// For how long a look is worth its cost.
+  double horizon_of(const Pair& p, const SurfaceMotion& motion, double t) {
+    return std::min(time_to_close(look_ahead, speed(p, motion, t), motion.acceleration),
+                    horizon_ticks * tick_);
   }
 
   double time_of_bounds(const Pair& p, const SurfaceMotion& motion, double t) {
@@ -234,20 +232,20 @@ class FingerCloser {
     return time_to_close(gap, rate, motion.acceleration);
   }
 
-  FreeTime time_of_surfaces(Pair& p, const SurfaceMotion& motion, double t, double touching) {
+  FreeTime time_of_surfaces(Pair& p, const SurfaceMotion& motion, double t, double horizon,
+                            double touching) {
     const Pose& X_OL = motion_.pose(p.link, t);
-    const double horizon =
-        std::min(time_to_close(look_ahead, speed(p, motion, t), motion.acceleration), horizon_ticks * tick_);
+    const MeshBvh& link = surface(p.link).bvh;
     if (p.kind == Pair::Kind::object)
-      return compute_free_time(other_surface(p), surface(p.link).bvh, X_OL, motion, margin(), horizon,
-                               &p.hint, model_.object_field(), touching);
+      return p.front.look(other_surface(p), link, X_OL, motion, t, margin(), horizon, model_.object_field(),
+                          touching);
     const Pose X_OS = other_pose(p, t);
     const Mat3 R_SO = X_OS.linear().transpose();
     for (std::vector<Screw>* screws :
          {&screws_a_, &screws_b_})  // those of the motion, in the surface's frame
       for (Screw& s : *screws) s = {R_SO * s.angular, R_SO * s.velocity(X_OS.translation())};
-    return compute_free_time(other_surface(p), surface(p.link).bvh, X_OS.inverse() * X_OL, motion, margin(),
-                             horizon, &p.hint, {}, touching);
+    return p.front.look(other_surface(p), link, X_OS.inverse() * X_OL, motion, t, margin(), horizon, {},
+                        touching);
   }
 
   /// Bound of the speed at which points of the two come together [m/s].
@@ -277,7 +275,7 @@ class FingerCloser {
     const double reach = 1.2 * options_.contact_gap;
     const MeshBvh& link = surface(p.link).bvh;
     // Mostly the triangles that were seen to touch tell.
-    return std::ranges::any_of(find_touch_points(other_surface(p), link, X_SL, reach, p.hint), pressed) ||
+    return std::ranges::any_of(find_touch_points(other_surface(p), link, X_SL, reach, p.front.nearest()), pressed) ||
            std::ranges::any_of(find_touch_points(other_surface(p), link, X_SL, reach), pressed);
   }
 
