@@ -40,6 +40,7 @@ class FrontSearch {
         acceleration_(surfaces.motion.acceleration),
         margin_(margin),
         now_(now),
+        horizon_(horizon),
         field_(surfaces.field),
         boxes_(surfaces.motion),
         posed_(a_, b_, X_AB_) {
@@ -172,7 +173,7 @@ class FrontSearch {
       boxes[j] = box_about(ts[j]);
       all.add(boxes[j]);
     }
-    const double enough = leaf_foresight * best_.time;
+    const double enough = std::max(best_.time, std::min(horizon_, leaf_foresight * best_.time));
     const Sweep sweep = sweep_of(centered(na.box), centered(all), enough);
     double least = enough;
     for (int i = na.left; i < na.left + na.count; ++i) {
@@ -244,6 +245,7 @@ class FrontSearch {
   double acceleration_;
   double margin_;
   double now_;
+  double horizon_;
   const DistanceField* field_;
   detail::MovingBoxes boxes_;
   detail::PosedBoxes posed_;

@@ -287,7 +287,7 @@ class FingerCloser {
   }
 
   static constexpr double tick_turn = 0.05;    // [rad or m] of the fastest joint
-  static constexpr double look_ahead = 0.004;  // [m] of motion: further is dear to search
+  static constexpr double look_ahead = 0.0015;  // [m] of motion: further is dear to search
   static constexpr double horizon_ticks = 4.0;
   static constexpr double least_progress = 1e-5;  // ticks: a slide that gets no further ends
 
