@@ -194,6 +194,8 @@ class FrontSearch {
     double time = time_of_plane(s, t, 1.0, enough);
     if (time < enough) time = std::max(time, time_of_plane(t, s, -1.0, enough));
     if (time >= best_.time) return time;
+    time = std::max(time, time_along(s, t));
+    if (time >= best_.time) return time;
     Vec3 p;
     Vec3 q;
     const double d = closest_points_of_triangles(s, t, p, q);
@@ -204,8 +206,17 @@ class FrontSearch {
     if (time < best_.time) {
       best_ = {time, d};
       nearest_ = {ta, tb};
+      if (d > 0.0) direction_ = (q - p) / d;
     }
     return time;
+  }
+
+  /// Time for which two triangles stay apart as the direction tells in which the nearest ones face each other.
+  double time_along(const TriangleCorners& s, const TriangleCorners& t) const {
+    const Vec3& n = direction_;
+    const double gap = std::min({n.dot(t.a), n.dot(t.b), n.dot(t.c)}) -
+                       std::max({n.dot(s.a), n.dot(s.b), n.dot(s.c)}) - margin_;
+    return gap > 0.0 ? time_to_close(gap, closing_rate(s, t, n), acceleration_) : 0.0;
   }
 
   /// Time for which the plane of triangle s keeps t away; infinite as soon as that is enough. side: 1 where s
@@ -251,6 +262,7 @@ class FrontSearch {
   detail::PosedBoxes posed_;
   FreeTime best_;
   PairHint nearest_;
+  Vec3 direction_ = Vec3::Zero();  ///< from a to b, of the nearest triangles
 };
 
 }  // namespace

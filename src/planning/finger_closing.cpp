@@ -22,7 +22,7 @@ struct Pair {
   enum class Kind { object, obstacle, links } kind;
   int link;
   int other;                ///< obstacle or second link
-  double free_until = 0.0;  ///< time up to which the two are sure to be apart [s]
+  int number = 0;  ///< in the list of all
   SeparationFront front = {};
   int first_joint = 0;  ///< of the joints that move the other surface, then the link, in the list of all
   int first_of_link = 0;
@@ -65,13 +65,12 @@ class FingerCloser {
   /// Time at which the hand is closed.
   double close(int& steps) {
     while (!pairs_.empty()) {
-      Pair& next = *std::min_element(pairs_.begin(), pairs_.end(), [](const Pair& a, const Pair& b) {
-        return a.free_until < b.free_until;
-      });
-      const double t = next.free_until;
+      const auto soonest = std::min_element(free_until_.begin(), free_until_.end());
+      const double t = *soonest;
       if (!(t < motion_.end())) break;
       if (steps == options_.max_steps) return t;
       ++steps;
+      Pair& next = pairs_[static_cast<std::size_t>(soonest - free_until_.begin())];
       if (look(next, t, options_.contact_gap).distance > options_.contact_gap) continue;
       // Where they touch, either the motion presses, or they slide as far as that is free.
       if (presses(next, t) || look(next, t).time < least_progress * tick_) stop(next, t);
@@ -111,7 +110,9 @@ class FingerCloser {
     p.first_of_link = static_cast<int>(pair_joints_.size());
     add_branch(common, p.link);
     p.end_joint = static_cast<int>(pair_joints_.size());
+    p.number = static_cast<int>(pairs_.size());
     pairs_.push_back(p);
+    free_until_.push_back(0.0);
   }
 
   /// The joints that move between a link and one further up.
@@ -191,19 +192,20 @@ class FingerCloser {
   FreeTime look(Pair& p, double t, double touching = -1.0) {
     const SurfaceMotion motion = motion_of(p, t);
     FreeTime free{infinity, infinity};
-    p.free_until = infinity;
+    double& free_until = free_until_[static_cast<std::size_t>(p.number)];
+    free_until = infinity;
     if (t == 0.0 || !motion.still()) {
       const double horizon = horizon_of(p, motion, t);
       if (p.kind == Pair::Kind::links) free.time = time_of_bounds(p, motion, t);
       if (p.kind == Pair::Kind::links && free.time >= horizon) {
-        p.free_until = t + free.time;
+        free_until = t + free.time;
       } else {
         free = time_of_surfaces(p, motion, t, horizon, touching);
-        p.free_until = p.front.free_until();
+        free_until = p.front.free_until();
       }
     }
     // Pairs that are looked at together share the poses.
-    if (p.free_until > t + tick_) p.free_until = std::floor(p.free_until / tick_) * tick_;
+    if (free_until > t + tick_) free_until = std::floor(free_until / tick_) * tick_;
     return free;
   }
 
@@ -283,7 +285,7 @@ class FingerCloser {
   void stop(Pair& p, double t) {
     for (int k = p.first_joint; k < p.end_joint; ++k)
       motion_.stop(pair_joints_[static_cast<std::size_t>(k)].joint, t);
-    p.free_until = infinity;
+    free_until_[static_cast<std::size_t>(p.number)] = infinity;
   }
 
   static constexpr double tick_turn = 0.05;    // [rad or m] of the fastest joint
@@ -299,6 +301,7 @@ class FingerCloser {
   double tick_ = infinity;
   std::vector<double> length_to_;  ///< of the straightened chain from the base to each link [m]
   std::vector<Pair> pairs_;
+  std::vector<double> free_until_;  ///< of each pair, time up to which the two are sure to be apart [s]
   std::vector<PairJoint> pair_joints_;
   std::vector<Screw> screws_a_;
   std::vector<Screw> screws_b_;
