@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/moving_boxes.hpp"
+#include "geometry/box_descent.hpp"
 #include "geometry/point_speeds.hpp"
 
 namespace eigengrasp {
@@ -16,6 +16,7 @@ namespace {
 
 using detail::CenteredBox;
 using detail::centered;
+using detail::NodePair;
 using Parts = SeparationFront::Parts;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -42,9 +43,9 @@ class FrontSearch {
         now_(now),
         horizon_(horizon),
         field_(surfaces.field),
-        boxes_(surfaces.motion),
-        posed_(a_, b_, X_AB_) {
+        boxes_(a_, b_, X_AB_) {
     best_.time = horizon;
+    boxes_.set_motion(surfaces.motion, margin);
   }
 
   /// The triangles that limited an earlier time.
@@ -57,13 +58,19 @@ class FrontSearch {
     if (front.empty()) front.push_back({field_ ? -1 : 0, 0, 0.0});
     std::size_t kept = 0;
     const std::size_t n = front.size();
+    int waiting = 0;
     for (std::size_t i = 0; i < n; ++i) {
       const Parts parts = front[i];
-      if (parts.until >= now_ + best_.time)
+      if (parts.until >= now_ + best_.time) {
         front[kept++] = parts;
-      else
-        divide(parts, front);
+        continue;
+      }
+      stack_.push({parts.a, parts.b, 0.0});
+      if (++waiting < detail::BoxPairs::most) continue;
+      divide(front);
+      waiting = 0;
     }
+    divide(front);
     front.erase(front.begin() + static_cast<std::ptrdiff_t>(kept),
                 front.begin() + static_cast<std::ptrdiff_t>(n));
   }
@@ -72,67 +79,62 @@ class FrontSearch {
   const PairHint& nearest() const { return nearest_; }
 
  private:
-  /// Two nodes and what is known of them.
-  struct NodePair {
-    int a;  ///< -1: all of a
-    int b;
-    float gap;    ///< [m] lower bound
-    double time;  ///< [s] for which they stay apart
-  };
-
-  /// Goes down both hierarchies, the larger node first, then the pair that is free for the shorter time.
-  void divide(const Parts& parts, std::vector<Parts>& front) {
-    NodePair stack[256];
-    int top = 0;
-    stack[top++] = looked_at(parts.a, parts.b);
-    while (top > 0) {
-      const NodePair pair = stack[--top];
-      if (pair.time >= best_.time) {
-        front.push_back({pair.a, pair.b, now_ + pair.time});
-        continue;
-      }
-      const MeshBvh::Node& nb = b_.nodes()[static_cast<std::size_t>(pair.b)];
-      if (pair.a < 0) {
-        if (nb.count > 0 || -pair.gap < least_field_part) {
-          stack[top++] = looked_at(0, pair.b);
+  /// Goes down both hierarchies from the pairs on the stack, the larger node first, and first with the pairs
+  /// that are free for the shortest time.
+  void divide(std::vector<Parts>& front) {
+    while (!stack_.empty()) {
+      take(front);
+      if (boxes_.size() == 0) continue;
+      boxes_.look_at_times(best_.time);
+      inner_.clear();
+      for (int i = 0; i < boxes_.size(); ++i) {
+        const NodePair pair{taken_[i].a, taken_[i].b, std::max(taken_[i].bound, boxes_.time(i))};
+        const MeshBvh::Node& na = a_.nodes()[static_cast<std::size_t>(pair.a)];
+        const MeshBvh::Node& nb = b_.nodes()[static_cast<std::size_t>(pair.b)];
+        if (pair.bound >= best_.time) {
+          front.push_back({pair.a, pair.b, now_ + pair.bound});
+        } else if (na.count > 0 && nb.count > 0) {
+          front.push_back({pair.a, pair.b, now_ + visit_leaves(na, nb)});
         } else {
-          push_nearer_last(looked_at(-1, nb.left), looked_at(-1, nb.left + 1), stack, top);
+          inner_.add(pair);
         }
-        continue;
       }
-      const MeshBvh::Node& na = a_.nodes()[static_cast<std::size_t>(pair.a)];
-      if (na.count > 0 && nb.count > 0) {
-        front.push_back({pair.a, pair.b, now_ + visit_leaves(na, nb)});
-      } else if (nb.count > 0 || (na.count == 0 && largest_half(a_, pair.a) >= largest_half(b_, pair.b))) {
-        push_nearer_last(looked_at(na.left, pair.b), looked_at(na.left + 1, pair.b), stack, top);
+      for (const NodePair& pair : inner_) detail::push_children(a_, b_, pair, stack_);
+    }
+  }
+
+  /// Takes pairs from the stack whose boxes are to be looked at; those of which the field or their parents tell
+  /// enough go to the front.
+  void take(std::vector<Parts>& front) {
+    boxes_.clear();
+    for (int most = stack_.batch(); boxes_.size() < most && !stack_.empty();) {
+      NodePair pair = stack_.pop();
+      if (pair.a < 0 && pair.bound < best_.time) pair.bound = std::max(pair.bound, time_in_field(pair.b));
+      if (pair.bound >= best_.time) {
+        front.push_back({pair.a, pair.b, now_ + pair.bound});
+      } else if (pair.a < 0) {
+        divide_in_field(pair);
       } else {
-        push_nearer_last(looked_at(pair.a, nb.left), looked_at(pair.a, nb.left + 1), stack, top);
+        taken_[boxes_.size()] = pair;
+        boxes_.add(pair.a, pair.b);
       }
     }
   }
 
-  static float largest_half(const MeshBvh& bvh, int node) {
-    return detail::largest(detail::load(bvh.oriented_box(node).half));
+  void divide_in_field(const NodePair& pair) {
+    const MeshBvh::Node& n = b_.nodes()[static_cast<std::size_t>(pair.b)];
+    if (n.count > 0 || boxes_.ball(pair.b).radius < least_field_part) {
+      stack_.push({0, pair.b, pair.bound});
+    } else {
+      stack_.push({-1, n.left + 1, pair.bound});
+      stack_.push({-1, n.left, pair.bound});
+    }
   }
 
-  static void push_nearer_last(const NodePair& p, const NodePair& q, NodePair* stack, int& top) {
-    const bool p_is_nearer = p.time < q.time || (p.time == q.time && p.gap < q.gap);
-    stack[top++] = p_is_nearer ? q : p;
-    stack[top++] = p_is_nearer ? p : q;
-  }
-
-  NodePair looked_at(int a, int b) const {
-    if (a < 0) return looked_at_in_field(b);
-    const auto outlook =
-        boxes_.look(detail::turned(a_.oriented_box(a)), posed_.box(b), margin_, acceleration_);
-    return {a, b, outlook.gap, outlook.time};
-  }
-
-  NodePair looked_at_in_field(int b) const {
-    const auto [at, radius] = posed_.ball(b);
-    const Vec3 center(at[0], at[1], at[2]);
+  double time_in_field(int b) const {
+    const auto [center, radius] = boxes_.ball(b);
     const double gap = certain_distance(*field_, center) - radius - margin_;
-    return {-1, b, -radius, time_to_close(gap, speeds_b_.within(center, radius), acceleration_)};
+    return time_to_close(gap, speeds_b_.within(center, radius), acceleration_);
   }
 
   TriangleCorners posed(int t) const {
@@ -245,7 +247,7 @@ class FrontSearch {
     return speeds_a_.along(s, n) + speeds_b_.along(t, -n);
   }
 
-  static constexpr float least_field_part = 0.004f;  // [m] smaller ones are left to boxes
+  static constexpr double least_field_part = 0.004;  // [m] smaller ones are left to boxes
   static constexpr double leaf_foresight = 3.0;      // leaves that are looked at are done for so many times
 
   const MeshBvh& a_;
@@ -258,8 +260,10 @@ class FrontSearch {
   double now_;
   double horizon_;
   const DistanceField* field_;
-  detail::MovingBoxes boxes_;
-  detail::PosedBoxes posed_;
+  detail::BoxPairs boxes_;
+  detail::NodeStack stack_;
+  NodePair taken_[detail::BoxPairs::most];  ///< those whose boxes are looked at
+  detail::SortedPairs inner_;
   FreeTime best_;
   PairHint nearest_;
   Vec3 direction_ = Vec3::Zero();  ///< from a to b, of the nearest triangles

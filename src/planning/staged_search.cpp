@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "planning/harvest.hpp"
-#include "planning/kernel/lanes.hpp"
+#include "core/lanes.hpp"
 #include "planning/pregrasp_search.hpp"
 #include "planning/stop_watch.hpp"
 

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The eigengrasp authors
 // The kernels for AVX2; see CMakeLists.txt for the options that this file alone is compiled with.
 #include "planning/kernel/evaluate.hpp"
-#include "planning/kernel/lanes_avx2.hpp"
+#include "core/lanes_avx2.hpp"
 #include "planning/kernel/propose.hpp"
 
 namespace eigengrasp::kernel {
