@@ -29,6 +29,19 @@ struct Pair {
   int end_joint = 0;
 };
 
+/// Index of the least value, of the first where there are several; in a form for vector registers.
+std::size_t first_of_least(const std::vector<double>& values) {
+  constexpr std::size_t width = 8;
+  double least[width];
+  std::fill(least, least + width, infinity);
+  std::size_t i = 0;
+  for (; i + width <= values.size(); i += width)
+    for (std::size_t k = 0; k < width; ++k) least[k] = values[i + k] < least[k] ? values[i + k] : least[k];
+  for (; i < values.size(); ++i) least[0] = std::min(least[0], values[i]);
+  const auto found = std::find(values.begin(), values.end(), *std::min_element(least, least + width));
+  return static_cast<std::size_t>(found - values.begin());
+}
+
 /// A joint that moves one surface of a pair and not the other; each surface's from the base outwards.
 struct PairJoint {
   int joint;
@@ -65,12 +78,12 @@ class FingerCloser {
   /// Time at which the hand is closed.
   double close(int& steps) {
     while (!pairs_.empty()) {
-      const auto soonest = std::min_element(free_until_.begin(), free_until_.end());
-      const double t = *soonest;
+      const std::size_t soonest = first_of_least(free_until_);
+      const double t = free_until_[soonest];
       if (!(t < motion_.end())) break;
       if (steps == options_.max_steps) return t;
       ++steps;
-      Pair& next = pairs_[static_cast<std::size_t>(soonest - free_until_.begin())];
+      Pair& next = pairs_[soonest];
       if (look(next, t, options_.contact_gap).distance > options_.contact_gap) continue;
       // Where they touch, either the motion presses, or they slide as far as that is free.
       if (presses(next, t) || look(next, t).time < least_progress * tick_) stop(next, t);
@@ -289,7 +302,7 @@ class FingerCloser {
   }
 
   static constexpr double tick_turn = 0.05;    // [rad or m] of the fastest joint
-  static constexpr double look_ahead = 0.0015;  // [m] of motion: further is dear to search
+  static constexpr double look_ahead = 0.002;  // [m] of motion: further is dear to search
   static constexpr double horizon_ticks = 4.0;
   static constexpr double least_progress = 1e-5;  // ticks: a slide that gets no further ends
 
