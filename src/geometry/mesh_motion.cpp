@@ -32,7 +32,10 @@ struct MovingSurfaces {
 
 class FrontSearch {
  public:
-  FrontSearch(const MovingSurfaces& surfaces, double now, double margin, double horizon)
+  /// @param borrow_directions triangles may be kept apart along the direction in which others face each other:
+  /// cheap, but then the time depends on the order in which they are seen
+  FrontSearch(const MovingSurfaces& surfaces, double now, double margin, double horizon,
+              bool borrow_directions)
       : a_(surfaces.a),
         b_(surfaces.b),
         X_AB_(surfaces.X_AB),
@@ -42,6 +45,7 @@ class FrontSearch {
         margin_(margin),
         now_(now),
         horizon_(horizon),
+        borrow_directions_(borrow_directions),
         field_(surfaces.field),
         boxes_(a_, b_, X_AB_) {
     best_.time = horizon;
@@ -196,7 +200,7 @@ class FrontSearch {
     double time = time_of_plane(s, t, 1.0, enough);
     if (time < enough) time = std::max(time, time_of_plane(t, s, -1.0, enough));
     if (time >= best_.time) return time;
-    time = std::max(time, time_along(s, t));
+    if (borrow_directions_) time = std::max(time, time_along(s, t));
     if (time >= best_.time) return time;
     Vec3 p;
     Vec3 q;
@@ -259,6 +263,7 @@ class FrontSearch {
   double margin_;
   double now_;
   double horizon_;
+  bool borrow_directions_;
   const DistanceField* field_;
   detail::BoxPairs boxes_;
   detail::NodeStack stack_;
@@ -286,7 +291,7 @@ FreeTime SeparationFront::look(const MeshBvh& a, const MeshBvh& b, const Pose& X
     free_until_ = infinity;
     return {horizon, infinity};
   }
-  FrontSearch search({a, b, X_AB, motion, field.empty() ? nullptr : &field}, now, margin, horizon);
+  FrontSearch search({a, b, X_AB, motion, field.empty() ? nullptr : &field}, now, margin, horizon, true);
   if (nearest_.triangle_a >= 0) search.look_at(nearest_);
   if (search.best().distance <= touching) return search.best();
   search.renew(parts_);
@@ -297,11 +302,14 @@ FreeTime SeparationFront::look(const MeshBvh& a, const MeshBvh& b, const Pose& X
 }
 
 FreeTime compute_free_time(const MeshBvh& a, const MeshBvh& b, const Pose& X_AB, const SurfaceMotion& motion,
-                           double margin, double horizon, PairHint* hint, const DistanceField& field) {
-  SeparationFront front(hint ? *hint : PairHint{});
-  const FreeTime free = front.look(a, b, X_AB, motion, 0.0, margin, horizon, field);
-  if (hint) *hint = front.nearest();
-  return free;
+                           double margin, double horizon, PairHint* hint) {
+  if (a.empty() || b.empty()) return {horizon, infinity};
+  FrontSearch search({a, b, X_AB, motion, nullptr}, 0.0, margin, horizon, false);
+  if (hint && hint->triangle_a >= 0) search.look_at(*hint);
+  std::vector<Parts> front;
+  search.renew(front);
+  if (hint && search.nearest().triangle_a >= 0) *hint = search.nearest();
+  return search.best();
 }
 
 }  // namespace eigengrasp

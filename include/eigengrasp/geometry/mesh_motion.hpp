@@ -40,22 +40,18 @@ struct FreeTime {
 /// The bound is sharp to first order: of every two triangles the plane between their nearest points, or that
 /// of one of them, tells how fast they come together, so that what slides past or parts is no hindrance.
 /// @param margin [m] @param hint the triangles that limited an earlier time: where to look first
-/// @param field of surface a, which then is at rest, or empty: saves much of the search, does not change the
-/// result. Cost: 1-100 us.
+/// Cost: 1-100 us.
 FreeTime compute_free_time(const MeshBvh& a, const MeshBvh& b, const Pose& X_AB, const SurfaceMotion& motion,
-                           double margin, double horizon, PairHint* hint = nullptr,
-                           const DistanceField& field = {});
+                           double margin, double horizon, PairHint* hint = nullptr);
 
 /// The same two surfaces looked at again and again while they move. Kept between looks are pairs of parts that
 /// together hold all pairs of triangles, each with the time up to which it is sure to stay apart: a look only
 /// goes on with those for which the next free time would be too long.
 class SeparationFront {
  public:
-  SeparationFront() = default;
-  /// @param nearest triangles to look at first
-  explicit SeparationFront(const PairHint& nearest) : nearest_(nearest) {}
-
-  /// Free time from time `now` [s] on, as compute_free_time has it, or a shorter one, of the same validity.
+  /// Free time from time `now` [s] on: as valid as that of compute_free_time, of which it may differ a little
+  /// since it depends on earlier looks.
+  /// @param field of surface a, which then is at rest, or empty: saves much of the search
   /// @param touching where the triangles that limited the last time are at most so far apart [m], the search
   /// ends with them: their distance is right then, the time is not a bound, and nothing else is changed
   /// @pre the surfaces and the field are those of the first look; now is not less than at the last look and not
