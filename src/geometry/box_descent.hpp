@@ -40,8 +40,7 @@ inline float largest_half(const MeshBvh& bvh, int node) {
 inline void push_children(const MeshBvh& a, const MeshBvh& b, const NodePair& pair, NodeStack& stack) {
   const MeshBvh::Node& na = a.nodes()[static_cast<std::size_t>(pair.a)];
   const MeshBvh::Node& nb = b.nodes()[static_cast<std::size_t>(pair.b)];
-  const bool split_a =
-      nb.count > 0 || (na.count == 0 && largest_half(a, pair.a) >= largest_half(b, pair.b));
+  const bool split_a = nb.count > 0 || (na.count == 0 && largest_half(a, pair.a) >= largest_half(b, pair.b));
   for (int child = 1; child >= 0; --child)
     stack.push(split_a ? NodePair{na.left + child, pair.b, pair.bound}
                        : NodePair{pair.a, nb.left + child, pair.bound});
@@ -64,9 +63,9 @@ class SortedPairs {
   int n_ = 0;
 };
 
-/// Simultaneous descent of two hierarchies, the nearer pairs first: calls visit(node of a, node of b) for pairs
-/// of leaves of which, and of all above them, the boxes are no farther apart than bound() [m], which may
-/// shrink meanwhile. Stops where visit returns true.
+/// Simultaneous descent of two hierarchies, the nearer pairs first: calls visit(node of a, node of b) for
+/// pairs of leaves of which, and of all above them, the boxes are no farther apart than bound() [m], which
+/// may shrink meanwhile. Stops where visit returns true.
 template <typename Bound, typename Visit>
 void descend(const MeshBvh& a, const MeshBvh& b, const Pose& X_AB, Bound bound, Visit visit) {
   if (a.empty() || b.empty()) return;

@@ -35,8 +35,8 @@ class BoxPairs {
   /// @param outlook [s] for times of this size the bounds are best
   void look_at_times(double outlook);
 
-  /// Lower bound [m] of the distance of what is in the two boxes; negative where they overlap along the axes of
-  /// both. After a look.
+  /// Lower bound [m] of the distance of what is in the two boxes; negative where they overlap along the axes
+  /// of both. After a look.
   float gap(int pair) const { return pairs_.gap[pair]; }
   /// Time [s] for which it is sure to stay farther apart than the margin. After look_at_times.
   double time(int pair) const { return pairs_.time[pair]; }

@@ -14,8 +14,8 @@ namespace eigengrasp {
 
 namespace {
 
-using detail::CenteredBox;
 using detail::centered;
+using detail::CenteredBox;
 using detail::NodePair;
 using Parts = SeparationFront::Parts;
 
@@ -32,8 +32,8 @@ struct MovingSurfaces {
 
 class FrontSearch {
  public:
-  /// @param borrow_directions triangles may be kept apart along the direction in which others face each other:
-  /// cheap, but then the time depends on the order in which they are seen
+  /// @param borrow_directions triangles may be kept apart along the direction in which others face each
+  /// other: cheap, but then the time depends on the order in which they are seen
   FrontSearch(const MovingSurfaces& surfaces, double now, double margin, double horizon,
               bool borrow_directions)
       : a_(surfaces.a),
@@ -107,8 +107,8 @@ class FrontSearch {
     }
   }
 
-  /// Takes pairs from the stack whose boxes are to be looked at; those of which the field or their parents tell
-  /// enough go to the front.
+  /// Takes pairs from the stack whose boxes are to be looked at; those of which the field or their parents
+  /// tell enough go to the front.
   void take(std::vector<Parts>& front) {
     boxes_.clear();
     for (int most = stack_.batch(); boxes_.size() < most && !stack_.empty();) {
@@ -217,7 +217,8 @@ class FrontSearch {
     return time;
   }
 
-  /// Time for which two triangles stay apart as the direction tells in which the nearest ones face each other.
+  /// Time for which two triangles stay apart as the direction tells in which the nearest ones face each
+  /// other.
   double time_along(const TriangleCorners& s, const TriangleCorners& t) const {
     const Vec3& n = direction_;
     const double gap = std::min({n.dot(t.a), n.dot(t.b), n.dot(t.c)}) -

@@ -59,8 +59,8 @@ Vec3 closest_point_on_triangle(const TriangleCorners& t, const Vec3& p) {
 
 namespace {
 
-inline void closest_between_segments(const Vec3& p0, const Vec3& p1, const Vec3& q0, const Vec3& q1, Vec3& on_p,
-                                     Vec3& on_q) {
+inline void closest_between_segments(const Vec3& p0, const Vec3& p1, const Vec3& q0, const Vec3& q1,
+                                     Vec3& on_p, Vec3& on_q) {
   const Vec3 u = p1 - p0;
   const Vec3 v = q1 - q0;
   const Vec3 w = p0 - q0;

@@ -21,7 +21,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 struct Pair {
   enum class Kind { object, obstacle, links } kind;
   int link;
-  int other;                ///< obstacle or second link
+  int other;       ///< obstacle or second link
   int number = 0;  ///< in the list of all
   SeparationFront front = {};
   int first_joint = 0;  ///< of the joints that move the other surface, then the link, in the list of all
@@ -247,8 +247,7 @@ class FingerCloser {
     return time_to_close(gap, rate, motion.acceleration);
   }
 
-  FreeTime time_of_surfaces(Pair& p, const SurfaceMotion& motion, double t, double horizon,
-                            double touching) {
+  FreeTime time_of_surfaces(Pair& p, const SurfaceMotion& motion, double t, double horizon, double touching) {
     const Pose& X_OL = motion_.pose(p.link, t);
     const MeshBvh& link = surface(p.link).bvh;
     if (p.kind == Pair::Kind::object)
@@ -290,7 +289,8 @@ class FingerCloser {
     const double reach = 1.2 * options_.contact_gap;
     const MeshBvh& link = surface(p.link).bvh;
     // Mostly the triangles that were seen to touch tell.
-    return std::ranges::any_of(find_touch_points(other_surface(p), link, X_SL, reach, p.front.nearest()), pressed) ||
+    return std::ranges::any_of(find_touch_points(other_surface(p), link, X_SL, reach, p.front.nearest()),
+                               pressed) ||
            std::ranges::any_of(find_touch_points(other_surface(p), link, X_SL, reach), pressed);
   }
 

@@ -14,7 +14,7 @@ namespace {
 /// A link and what it may run into.
 struct Course {
   int link;
-  int obstacle;           ///< -1: the object
+  int obstacle;  ///< -1: the object
   SeparationFront front = {};
 };
 

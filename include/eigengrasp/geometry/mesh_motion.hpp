@@ -44,9 +44,9 @@ struct FreeTime {
 FreeTime compute_free_time(const MeshBvh& a, const MeshBvh& b, const Pose& X_AB, const SurfaceMotion& motion,
                            double margin, double horizon, PairHint* hint = nullptr);
 
-/// The same two surfaces looked at again and again while they move. Kept between looks are pairs of parts that
-/// together hold all pairs of triangles, each with the time up to which it is sure to stay apart: a look only
-/// goes on with those for which the next free time would be too long.
+/// The same two surfaces looked at again and again while they move. Kept between looks are pairs of parts
+/// that together hold all pairs of triangles, each with the time up to which it is sure to stay apart: a look
+/// only goes on with those for which the next free time would be too long.
 class SeparationFront {
  public:
   /// Free time from time `now` [s] on: as valid as that of compute_free_time, of which it may differ a little
@@ -54,10 +54,9 @@ class SeparationFront {
   /// @param field of surface a, which then is at rest, or empty: saves much of the search
   /// @param touching where the triangles that limited the last time are at most so far apart [m], the search
   /// ends with them: their distance is right then, the time is not a bound, and nothing else is changed
-  /// @pre the surfaces and the field are those of the first look; now is not less than at the last look and not
-  /// more than free_until() was after it; no joint has begun or quickened its motion since the first look, and
-  /// the acceleration holds for all that is to come.
-  /// Cost: 1-20 us, the first look 1-100 us.
+  /// @pre the surfaces and the field are those of the first look; now is not less than at the last look and
+  /// not more than free_until() was after it; no joint has begun or quickened its motion since the first
+  /// look, and the acceleration holds for all that is to come. Cost: 1-20 us, the first look 1-100 us.
   FreeTime look(const MeshBvh& a, const MeshBvh& b, const Pose& X_AB, const SurfaceMotion& motion, double now,
                 double margin, double horizon, const DistanceField& field = {}, double touching = -1.0);
 

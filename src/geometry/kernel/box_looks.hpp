@@ -4,8 +4,8 @@
 
 #include "core/lanes.hpp"
 
-/// Sixteen pairs of oriented boxes of two surfaces at once, in single precision. Plain data, as the kernels of
-/// each instruction set take it.
+/// Sixteen pairs of oriented boxes of two surfaces at once, in single precision. Plain data, as the kernels
+/// of each instruction set take it.
 namespace eigengrasp::box_kernel {
 
 using kernel::n_lanes;

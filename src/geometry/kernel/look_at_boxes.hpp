@@ -36,8 +36,7 @@ EIGENGRASP_LANES_INLINE Boxes<B> posed(const Boxes<B>& own, const Placement& pla
     const Floats<B> y(place.rotation[r][1]);
     const Floats<B> z(place.rotation[r][2]);
     for (int k = 0; k < 3; ++k) box.row[r][k] = x * own.row[0][k] + y * own.row[1][k] + z * own.row[2][k];
-    box.center[r] =
-        Floats<B>(place.origin[r]) + x * own.center[0] + y * own.center[1] + z * own.center[2];
+    box.center[r] = Floats<B>(place.origin[r]) + x * own.center[0] + y * own.center[1] + z * own.center[2];
     box.half[r] = own.half[r] + Floats<B>(place.rounding);
   }
   return box;
@@ -86,8 +85,9 @@ EIGENGRASP_LANES_INLINE Gaps<B> gaps_of(const Boxes<B>& a, const Boxes<B>& b) {
 template <class B>
 EIGENGRASP_LANES_INLINE Floats<B> sine_bound(const Floats<B>& c) {
   const Floats<B> square = max(Floats<B>(1.000001f) - c * c, Floats<B>(0.0f));
-  return min(min(Floats<B>(0.5f) + Floats<B>(0.5f) * square, Floats<B>(0.16666667f) + Floats<B>(1.5f) * square),
-             Floats<B>(0.05001f) + Floats<B>(5.0f) * square);
+  return min(
+      min(Floats<B>(0.5f) + Floats<B>(0.5f) * square, Floats<B>(0.16666667f) + Floats<B>(1.5f) * square),
+      Floats<B>(0.05001f) + Floats<B>(5.0f) * square);
 }
 
 /// Adds how fast one joint closes the gap along each axis at most, at first. @param box that it moves
