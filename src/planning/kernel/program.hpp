@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "planning/kernel/lanes.hpp"
+#include "core/lanes.hpp"
 
 /// What the kernels read and write: a hand and what it can hit, flattened into plain arrays of single
 /// precision. Lengths in metres, poses as row-major rotation and translation. Filled by StateEvaluator.

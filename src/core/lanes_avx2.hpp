@@ -4,7 +4,7 @@
 
 #include <immintrin.h>
 
-#include "planning/kernel/lanes.hpp"
+#include "core/lanes.hpp"
 
 namespace eigengrasp::kernel {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The eigengrasp authors
 #pragma once
 
-#include "planning/kernel/lanes.hpp"
+#include "core/lanes.hpp"
 
 namespace eigengrasp::kernel {
 namespace {
