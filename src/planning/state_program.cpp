@@ -3,6 +3,8 @@
 #include "planning/state_program.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "eigengrasp/core/parallel.hpp"
@@ -12,9 +14,7 @@ namespace eigengrasp {
 
 namespace {
 
-constexpr float never = -1e9f;            // radius of a ball that meets nothing
-constexpr int most_cores = 3;             // balls of a part that are tried before all others
-constexpr double cluster_slack = 0.0003;  // [m] for the field's error at a cluster's centre
+constexpr int most_cores = 3;  // balls of a part that are tried before all others
 
 kernel::Transform transform_of(const Pose& X) {
   kernel::Transform t;
@@ -34,12 +34,31 @@ Mat3 turn_z_to(const Vec3& axis) {
   return Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), axis).toRotationMatrix();
 }
 
-kernel::GridView grid_view(const FieldGrid& grid, double scale, std::size_t first) {
+/// Appends the words of a grid, see kernel::FieldView. @return what a bit of a distance stands for
+double add_words(const FieldGrid& grid, std::vector<std::int32_t>& words) {
+  float most = std::numeric_limits<float>::min();
+  for (const float value : grid.values) most = std::max(most, std::abs(value));
+  constexpr int largest = 32767;
+  const double quantum = static_cast<double>(most) / largest;
+  const auto rounded = [&](std::size_t node) {
+    const long n = std::lround(static_cast<double>(grid.values[node]) / quantum);
+    return static_cast<std::uint16_t>(static_cast<std::int16_t>(n));
+  };
+  const auto layer = static_cast<std::size_t>(grid.nodes.x() * grid.nodes.y());
+  for (std::size_t node = 0; node < grid.values.size(); ++node) {
+    const std::size_t next = node + layer < grid.values.size() ? node + layer : node;
+    words.push_back(static_cast<std::int32_t>(rounded(node) | static_cast<std::uint32_t>(rounded(next)) << 16));
+  }
+  return quantum;
+}
+
+kernel::GridView grid_view(const FieldGrid& grid, double scale, double quantum, std::size_t first) {
   kernel::GridView v;
   put(scale * grid.origin, v.origin);
   for (int i = 0; i < 3; ++i) v.last[i] = static_cast<float>(grid.nodes[i] - 1);
   v.cell = static_cast<float>(scale * grid.cell);
   v.inverse_cell = static_cast<float>(1.0 / (scale * grid.cell));
+  v.quantum = static_cast<float>(scale * quantum / 65536.0);
   v.row = grid.nodes.x();
   v.layer = grid.nodes.x() * grid.nodes.y();
   v.first = static_cast<std::int32_t>(first);
@@ -76,8 +95,8 @@ StateProgram::StateProgram(const CollisionModel& model, const EigengraspSpace& p
   program_.bodies = bodies_.data();
   program_.parts = parts_.data();
   program_.cores = cores_.data();
-  program_.clusters = clusters_.data();
-  program_.balls = balls_.data();
+  program_.clusters = packs_.clusters();
+  program_.balls = packs_.balls();
   program_.pairs = pairs_.data();
   program_.contacts = contacts_.data();
   program_.object = {view(model.object_field()), transform_of(Pose::Identity())};
@@ -139,41 +158,7 @@ void StateProgram::add_balls(const HandSurfaces::LinkSurface& surface, const Pos
   std::vector<Sphere> balls = surface.inner_spheres;
   for (Sphere& s : balls) s.center = X_BL * s.center;
   add_cores(balls, part);
-  const auto groups = group_spheres(balls, kernel::n_lanes);
-  part.first_pack = static_cast<int>(clusters_.size());
-  part.n_packs = static_cast<int>((groups.size() + kernel::n_lanes - 1) / kernel::n_lanes);
-  for (std::size_t g = 0; g < groups.size(); ++g) {
-    const std::size_t lane = g % kernel::n_lanes;
-    if (lane == 0) {
-      kernel::ClusterPack empty{};
-      std::fill(std::begin(empty.core), std::end(empty.core), never);
-      std::fill(std::begin(empty.reach), std::end(empty.reach), never);
-      clusters_.push_back(empty);
-      kernel::BallPack no_balls{};
-      std::fill(std::begin(no_balls.radius), std::end(no_balls.radius), never);
-      balls_.insert(balls_.end(), kernel::n_lanes, no_balls);
-    }
-    const auto first = balls.begin() + groups[g].first;
-    const auto last = first + groups[g].count;
-    const Sphere& core =
-        *std::max_element(first, last, [](const Sphere& a, const Sphere& b) { return a.radius < b.radius; });
-    kernel::ClusterPack& cluster = clusters_.back();
-    kernel::BallPack& pack = balls_[balls_.size() - kernel::n_lanes + lane];
-    double reach = 0.0;
-    std::size_t k = 0;
-    for (auto s = first; s != last; ++s, ++k) {
-      reach = std::max(reach, (s->center - core.center).norm() + s->radius);
-      pack.x[k] = static_cast<float>(s->center.x());
-      pack.y[k] = static_cast<float>(s->center.y());
-      pack.z[k] = static_cast<float>(s->center.z());
-      pack.radius[k] = static_cast<float>(s->radius);
-    }
-    cluster.x[lane] = static_cast<float>(core.center.x());
-    cluster.y[lane] = static_cast<float>(core.center.y());
-    cluster.z[lane] = static_cast<float>(core.center.z());
-    cluster.core[lane] = static_cast<float>(core.radius);
-    cluster.reach[lane] = static_cast<float>(reach + cluster_slack);
-  }
+  packs_.add(std::move(balls), part);
 }
 
 // The largest ball, then those that are large and far from the ones before.
@@ -267,12 +252,14 @@ void StateProgram::add_posture_grid(const EigengraspSpace& postures, const kerne
 
 kernel::FieldView StateProgram::view(const DistanceField& field) {
   if (field.empty()) throw std::logic_error("the collision model was prepared without distance fields");
-  std::vector<float>& values = field_values_.emplace_back(field.fine().values);
-  const std::size_t n_fine = values.size();
-  values.insert(values.end(), field.coarse().values.begin(), field.coarse().values.end());
-  for (float& value : values) value = static_cast<float>(field.scale() * static_cast<double>(value));
-  return {values.data(), grid_view(field.fine(), field.scale(), 0),
-          grid_view(field.coarse(), field.scale(), n_fine)};
+  const FieldGrid& fine = field.fine();
+  const FieldGrid& coarse = field.coarse();
+  std::vector<std::int32_t>& words = field_words_.emplace_back();
+  words.reserve(fine.values.size() + coarse.values.size());
+  const double fine_quantum = add_words(fine, words);
+  const double coarse_quantum = add_words(coarse, words);
+  return {words.data(), grid_view(fine, field.scale(), fine_quantum, 0),
+          grid_view(coarse, field.scale(), coarse_quantum, fine.values.size())};
 }
 
 }  // namespace eigengrasp

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "eigengrasp/grasp/collision_model.hpp"
-#include "planning/kernel/program.hpp"
+#include "planning/ball_packs.hpp"
 
 namespace eigengrasp {
 
@@ -40,12 +40,11 @@ class StateProgram {
   std::vector<kernel::Body> bodies_;
   std::vector<kernel::Part> parts_;
   std::vector<kernel::CoreBall> cores_;
-  std::vector<kernel::ClusterPack> clusters_;
-  std::vector<kernel::BallPack> balls_;
+  BallPacks packs_;
   std::vector<kernel::Pair> pairs_;
   std::vector<kernel::Contact> contacts_;
   std::vector<kernel::Solid> obstacles_;
-  std::vector<std::vector<float>> field_values_;
+  std::vector<std::vector<std::int32_t>> field_words_;
   std::vector<float> posture_clearance_;
 };
 

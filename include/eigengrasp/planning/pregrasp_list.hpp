@@ -42,12 +42,16 @@ class PreGraspList {
   /// True where the candidate was taken in.
   bool add(PreGrasp candidate);
   const std::vector<PreGrasp>& items() const { return items_; }
-  void clear() { items_.clear(); }
+  void clear();
 
  private:
+  /// Whether the two are not distinct. @param place of the first one's approach point in O
+  bool same(const PreGrasp& p, const Vec3& place, std::size_t item) const;
+
   std::size_t capacity_;
   Distinctness distinct_;
   std::vector<PreGrasp> items_;
+  std::vector<Vec3> places_;  ///< of their approach points in O
 };
 
 }  // namespace eigengrasp

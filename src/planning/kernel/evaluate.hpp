@@ -46,7 +46,7 @@ class Evaluation {
       const Part& b = p_.parts[p_.pairs[i].field];
       for (std::uint32_t left = near_each_other(p_.pairs[i], most_clearance); left != 0; left &= left - 1) {
         const int lane = __builtin_ctz(left);
-        least[lane] = clearance<false>(a, pose_in_link(a, b, lane), b.field, least[lane]);
+        least[lane] = clearance<false>(a, splat_motion<B>(pose_in_link(a, b, lane)), b.field, least[lane]);
       }
     }
     for (int i = 0; i < n_lanes; ++i) w_.energy[i] = least[i];
@@ -118,15 +118,18 @@ class Evaluation {
     for (; lanes != 0; lanes &= lanes - 1) w_.verdict[__builtin_ctz(lanes)] = verdict;
   }
 
-  /// Sorts out states that surely hit the object, and notes which parts are so near that it is unsure.
+  /// Sorts out states that surely hit the object, and notes which parts are so near that it is unsure. In
+  /// two passes without branches that depend on data, so that many lookups are under way at once.
   void meet_object() {
     for (int i = 0; i < p_.n_parts; ++i) {
-      const Part& part = p_.parts[i];
       const DistanceBounds<B> bounds = bound_distance<B>(p_.object.field, load_center(i));
-      w_.unsure[i] = bits(bounds.lower < F(part.reach)) & alive_;
+      w_.unsure[i] = bits(bounds.lower < F(p_.parts[i].reach)) & alive_;
+    }
+    std::uint32_t hit = 0;
+    for (int i = 0; i < p_.n_parts; ++i) {
       if (w_.unsure[i] == 0) continue;
+      const Part& part = p_.parts[i];
       const Motion<B> X = load_motion<B>(pose(part.body));
-      std::uint32_t hit = 0;
       std::uint32_t near = 0;
       for (int k = part.first_core; k < part.first_core + part.n_cores; ++k) {
         const CoreBall& ball = p_.cores[k];
@@ -135,9 +138,8 @@ class Evaluation {
         near |= bits(at_core.lower < F(ball.reach));
       }
       w_.unsure[i] &= near;
-      end(hit & alive_, hits_object);
-      if (alive_ == 0) return;
     }
+    end(hit & alive_, hits_object);
   }
 
   /// Mean over the virtual contacts of distance in millimetres + 1000 alpha (1 - n . o / |o|). No contact
@@ -184,38 +186,64 @@ class Evaluation {
   bool touches_object(int lane) const {
     for (int i = 0; i < p_.n_parts; ++i)
       if ((w_.unsure[i] >> lane & 1u) &&
-          part_hits(p_.parts[i], pose_of_lane(p_.parts[i].body, lane), p_.object.field))
+          part_hits(p_.parts[i], splat_lane<B>(pose(p_.parts[i].body) + lane), p_.object.field))
         return true;
     return false;
   }
 
   /// The least distance minus radius over the balls of a part, where that is below the limit, else the limit.
   /// `enough`: may return as soon as something below the limit was found.
-  /// @param X_FB pose of the part's body in the field's frame
+  /// @param X pose of the part's body in the field's frame
   template <bool enough>
-  float clearance(const Part& part, const Transform& X_FB, const FieldView& field, float limit) const {
-    const Motion<B> X = splat_motion<B>(X_FB);
+  float clearance(const Part& part, const Motion<B>& X, const FieldView& field, float limit) const {
     float least = limit;
-    for (int i = part.first_pack; i < part.first_pack + part.n_packs; ++i) {
-      const ClusterPack& c = p_.clusters[i];
-      const Cell<B> cell = look_up<B>(field, moved(X, V{load<B>(c.x), load<B>(c.y), load<B>(c.z)}));
-      const F at_border = distance(cell);
-      const F beyond = sqrt(dot(cell.beyond, cell.beyond));
-      // A point beyond the grid by b, whose border's distance is d, is at most d + b from the surface, and at
-      // least the root of d^2 + b^2, since the surface lies within the grid's box.
-      const F core = at_border + beyond - load<B>(c.core);
-      if (enough && bits(core < F(limit)) != 0) return lowest(core, least);
-      const F lower = sqrt(beyond * beyond + at_border * at_border);
-      const F slack = select(F(0.0f) < beyond, lower, at_border) - load<B>(c.reach);
-      for (std::uint32_t near = bits(slack < F(least)); near != 0; near &= near - 1) {
-        const BallPack& pack = p_.balls[n_lanes * i + __builtin_ctz(near)];
-        const F gap = ball_gaps(pack, X, field);
-        if (bits(gap < F(least)) == 0) continue;
-        least = lowest(gap, least);
-        if (enough) return least;
+    if (part.n_tops == 0) {
+      for (int i = 0; i < part.n_packs; ++i) {
+        look_at_clusters<enough>(part, i, X, field, least);
+        if (enough && least < limit) return least;
       }
+      return least;
+    }
+    for (int t = 0; t < part.n_tops; ++t) {
+      std::uint32_t near = near_clusters(p_.clusters[part.first_top + t], X, field, least);
+      for (; near != 0; near &= near - 1) {
+        if (enough && least < limit) return least;
+        look_at_clusters<enough>(part, n_lanes * t + __builtin_ctz(near), X, field, least);
+      }
+      if (enough && least < limit) return least;
     }
     return least;
+  }
+
+  /// Lowers `least` to the least gap in a pack of clusters; with `enough`, to any that is lower.
+  template <bool enough>
+  void look_at_clusters(const Part& part, int i, const Motion<B>& X, const FieldView& field,
+                        float& least) const {
+    const float limit = least;
+    std::uint32_t near = near_clusters(p_.clusters[part.first_cluster + i], X, field, least);
+    if (enough && least < limit) return;
+    const BallPack* const packs = p_.balls + n_lanes * (part.first_pack + i);
+    for (; near != 0; near &= near - 1) {
+      const F gap = ball_gaps(packs[__builtin_ctz(near)], X, field);
+      if (bits(gap < F(least)) == 0) continue;
+      least = lowest(gap, least);
+      if (enough) return;
+    }
+  }
+
+  /// The clusters that may have a ball nearer than `least`, which is lowered to the cores' least gap.
+  std::uint32_t near_clusters(const ClusterPack& c, const Motion<B>& X, const FieldView& field,
+                              float& least) const {
+    const Cell<B> cell = look_up<B>(field, moved(X, V{load<B>(c.x), load<B>(c.y), load<B>(c.z)}));
+    const F at_border = distance(cell);
+    const F beyond = sqrt(dot(cell.beyond, cell.beyond));
+    // A point beyond the grid by b, whose border's distance is d, is at most d + b from the surface, and at
+    // least the root of d^2 + b^2, since the surface lies within the grid's box.
+    const F core = at_border + beyond - load<B>(c.core);
+    if (bits(core < F(least)) != 0) least = lowest(core, least);
+    const F lower = sqrt(beyond * beyond + at_border * at_border);
+    const F slack = select(F(0.0f) < beyond, lower, at_border) - load<B>(c.reach);
+    return bits(slack < F(least));
   }
 
   F ball_gaps(const BallPack& pack, const Motion<B>& X, const FieldView& field) const {
@@ -230,7 +258,7 @@ class Evaluation {
     return least;
   }
 
-  bool part_hits(const Part& part, const Transform& X_FB, const FieldView& field) const {
+  bool part_hits(const Part& part, const Motion<B>& X_FB, const FieldView& field) const {
     return clearance<true>(part, X_FB, field, -p_.refuse_depth) < -p_.refuse_depth;
   }
 
@@ -241,8 +269,8 @@ class Evaluation {
       const DistanceBounds<B> bounds = bound_distance<B>(solid.field, moved(X_BO, load_center(i)));
       for (std::uint32_t left = bits(bounds.lower < F(part.reach)) & alive_; left != 0; left &= left - 1) {
         const int lane = __builtin_ctz(left);
-        if (part_hits(part, product(solid.object_in_field, pose_of_lane(part.body, lane)), solid.field))
-          end(1u << lane, hits_obstacle);
+        const Transform X_FB = product(solid.object_in_field, pose_of_lane(part.body, lane));
+        if (part_hits(part, splat_motion<B>(X_FB), solid.field)) end(1u << lane, hits_obstacle);
       }
     }
   }
@@ -294,7 +322,7 @@ class Evaluation {
       for (std::uint32_t left = near_each_other(p_.pairs[i], 0.0f) & unsure & alive_; left != 0;
            left &= left - 1) {
         const int lane = __builtin_ctz(left);
-        if (part_hits(a, pose_in_link(a, b, lane), b.field)) end(1u << lane, hits_itself);
+        if (part_hits(a, splat_motion<B>(pose_in_link(a, b, lane)), b.field)) end(1u << lane, hits_itself);
       }
       if ((alive_ & unsure) == 0) return;
     }

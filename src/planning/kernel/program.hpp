@@ -16,14 +16,17 @@ struct GridView {
   float last[3];    ///< nodes - 1 along the axes
   float cell;
   float inverse_cell;
+  float quantum;       ///< [m] of one bit 16 of a word
   std::int32_t row;    ///< nodes along x
   std::int32_t layer;  ///< nodes along x times nodes along y
-  std::int32_t first;  ///< place of node (0, 0, 0) in the values
+  std::int32_t first;  ///< place of node (0, 0, 0) in the words
 };
 
-/// A distance field: a fine grid near the surface inside of a coarse one.
+/// A distance field: a fine grid near the surface inside of a coarse one. A node is a word: its own distance in
+/// the lower half, that of the next node along z in the upper one, both in sixteen bits with sign. So two
+/// words side by side hold four corners of a cell, and half of the cache lines are touched.
 struct FieldView {
-  const float* values;
+  const std::int32_t* words;
   GridView fine;
   GridView coarse;
 };
@@ -49,10 +52,11 @@ struct alignas(64) BallPack {
   float radius[n_lanes];                     ///< far below 0 for the ones that only fill up
 };
 
-/// Sixteen clusters of up to sixteen balls each. The centre is that of the largest ball.
+/// Sixteen clusters, of up to sixteen balls each or, at the top, of the balls of up to sixteen such clusters.
+/// The centre is that of one of the balls, the core.
 struct alignas(64) ClusterPack {
   float x[n_lanes], y[n_lanes], z[n_lanes];
-  float core[n_lanes];   ///< radius of the largest ball
+  float core[n_lanes];   ///< its radius
   float reach[n_lanes];  ///< all balls lie within this of the centre
 };
 
@@ -63,8 +67,11 @@ struct Part {
   float reach;              ///< its radius
   std::int32_t first_core;  ///< the largest inner balls that are far from each other
   std::int32_t n_cores;
-  std::int32_t first_pack;  ///< of clusters; cluster k of pack i has the balls of pack 16 i + k
-  std::int32_t n_packs;
+  std::int32_t first_cluster;  ///< pack of clusters
+  std::int32_t n_packs;        ///< of clusters
+  std::int32_t first_pack;  ///< cluster k of the ith of them has the balls of pack 16 (first_pack + i) + k
+  std::int32_t first_top;   ///< pack at the top; the kth cluster of the ith stands for pack 16 i + k of clusters
+  std::int32_t n_tops;      ///< 0: all packs of clusters are looked at
   Transform body_in_link;  ///< from the body's frame to the frame of `field`
   FieldView field;
 };
