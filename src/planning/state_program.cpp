@@ -59,9 +59,9 @@ kernel::GridView grid_view(const FieldGrid& grid, double scale, double quantum, 
   v.cell = static_cast<float>(scale * grid.cell);
   v.inverse_cell = static_cast<float>(1.0 / (scale * grid.cell));
   v.quantum = static_cast<float>(scale * quantum / 65536.0);
-  v.row = grid.nodes.x();
-  v.layer = grid.nodes.x() * grid.nodes.y();
-  v.first = static_cast<std::int32_t>(first);
+  v.row = static_cast<float>(grid.nodes.x());
+  v.layer = static_cast<float>(grid.nodes.x() * grid.nodes.y());
+  v.first = static_cast<float>(first);
   return v;
 }
 
@@ -254,6 +254,8 @@ kernel::FieldView StateProgram::view(const DistanceField& field) {
   if (field.empty()) throw std::logic_error("the collision model was prepared without distance fields");
   const FieldGrid& fine = field.fine();
   const FieldGrid& coarse = field.coarse();
+  if (fine.values.size() + coarse.values.size() > kernel::most_words)
+    throw std::logic_error("a distance field has too many nodes to be searched");
   std::vector<std::int32_t>& words = field_words_.emplace_back();
   words.reserve(fine.values.size() + coarse.values.size());
   const double fine_quantum = add_words(fine, words);

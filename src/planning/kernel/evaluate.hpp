@@ -118,16 +118,11 @@ class Evaluation {
     for (; lanes != 0; lanes &= lanes - 1) w_.verdict[__builtin_ctz(lanes)] = verdict;
   }
 
-  /// Sorts out states that surely hit the object, and notes which parts are so near that it is unsure. In
-  /// two passes without branches that depend on data, so that many lookups are under way at once.
+  /// Sorts out states that surely hit the object, and notes which parts are so near that it is unsure. No
+  /// branch depends on what is found, so that many lookups are under way at once.
   void meet_object() {
-    for (int i = 0; i < p_.n_parts; ++i) {
-      const DistanceBounds<B> bounds = bound_distance<B>(p_.object.field, load_center(i));
-      w_.unsure[i] = bits(bounds.lower < F(p_.parts[i].reach)) & alive_;
-    }
     std::uint32_t hit = 0;
     for (int i = 0; i < p_.n_parts; ++i) {
-      if (w_.unsure[i] == 0) continue;
       const Part& part = p_.parts[i];
       const Motion<B> X = load_motion<B>(pose(part.body));
       std::uint32_t near = 0;
@@ -137,7 +132,7 @@ class Evaluation {
         hit |= bits(at_core.upper < F(ball.radius));
         near |= bits(at_core.lower < F(ball.reach));
       }
-      w_.unsure[i] &= near;
+      w_.unsure[i] = near;
     }
     end(hit & alive_, hits_object);
   }
@@ -163,11 +158,11 @@ class Evaluation {
 
   EIGENGRASP_LANES_INLINE void add_contact(const Contact& contact, F& distances, F& misfits) const {
     const Motion<B> X = load_motion<B>(pose(contact.body));
-    const Cell<B> cell = look_up<B>(p_.object.field, moved(X, splat<B>(contact.p)));
-    const V g = gradient(cell);
-    const F slope = sqrt(max(dot(g, g), F(1e-12f)));
+    const PointSlope<B> at = look_up_slope<B>(p_.object.field, moved(X, splat<B>(contact.p)));
+    const V& g = at.gradient;
+    const F slope = sqrt(max(dot(g, g), F(1.0f)));
     // -o: from the nearest point of the surface to the contact, for one beyond the grid by way of its border.
-    const V away = cell.beyond + (distance(cell) / slope) * g;
+    const V away = at.beyond + (at.distance / slope) * g;
     const F length = sqrt(dot(away, away));
     const F minus_cosine = dot(turned(X, splat<B>(contact.n)), away) / max(length, F(1e-9f));
     distances = distances + length;
@@ -234,21 +229,20 @@ class Evaluation {
   /// The clusters that may have a ball nearer than `least`, which is lowered to the cores' least gap.
   std::uint32_t near_clusters(const ClusterPack& c, const Motion<B>& X, const FieldView& field,
                               float& least) const {
-    const Cell<B> cell = look_up<B>(field, moved(X, V{load<B>(c.x), load<B>(c.y), load<B>(c.z)}));
-    const F at_border = distance(cell);
-    const F beyond = sqrt(dot(cell.beyond, cell.beyond));
+    const PointDistance<B> at = look_up<B>(field, moved(X, V{load<B>(c.x), load<B>(c.y), load<B>(c.z)}));
     // A point beyond the grid by b, whose border's distance is d, is at most d + b from the surface, and at
     // least the root of d^2 + b^2, since the surface lies within the grid's box.
-    const F core = at_border + beyond - load<B>(c.core);
+    const F core = at.at_border + at.beyond - load<B>(c.core);
     if (bits(core < F(least)) != 0) least = lowest(core, least);
-    const F lower = sqrt(beyond * beyond + at_border * at_border);
-    const F slack = select(F(0.0f) < beyond, lower, at_border) - load<B>(c.reach);
+    const F lower = sqrt(at.beyond * at.beyond + at.at_border * at.at_border);
+    const F slack = select(F(0.0f) < at.beyond, lower, at.at_border) - load<B>(c.reach);
     return bits(slack < F(least));
   }
 
   F ball_gaps(const BallPack& pack, const Motion<B>& X, const FieldView& field) const {
-    const Cell<B> cell = look_up<B>(field, moved(X, V{load<B>(pack.x), load<B>(pack.y), load<B>(pack.z)}));
-    return distance(cell) + sqrt(dot(cell.beyond, cell.beyond)) - load<B>(pack.radius);
+    const PointDistance<B> at =
+        look_up<B>(field, moved(X, V{load<B>(pack.x), load<B>(pack.y), load<B>(pack.z)}));
+    return at.at_border + at.beyond - load<B>(pack.radius);
   }
 
   float lowest(const F& values, float least) const {

@@ -10,17 +10,19 @@
 /// precision. Lengths in metres, poses as row-major rotation and translation. Filled by StateEvaluator.
 namespace eigengrasp::kernel {
 
-/// One regular grid of distances inside a FieldView.
+/// One regular grid of distances inside a FieldView. Places of nodes are whole numbers in floats, exact below
+/// most_words.
 struct GridView {
   float origin[3];  ///< of node (0, 0, 0)
   float last[3];    ///< nodes - 1 along the axes
   float cell;
   float inverse_cell;
-  float quantum;       ///< [m] of one bit 16 of a word
-  std::int32_t row;    ///< nodes along x
-  std::int32_t layer;  ///< nodes along x times nodes along y
-  std::int32_t first;  ///< place of node (0, 0, 0) in the words
+  float quantum;  ///< [m] of a unit of a distance that stands in the upper half of a word
+  float row;      ///< nodes along x
+  float layer;    ///< nodes along x times nodes along y
+  float first;    ///< place of node (0, 0, 0) in the words
 };
+inline constexpr std::int32_t most_words = 1 << 24;
 
 /// A distance field: a fine grid near the surface inside of a coarse one. A node is a word: its own distance in
 /// the lower half, that of the next node along z in the upper one, both in sixteen bits with sign. So two
