@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "eigengrasp/kinematics/forward_kinematics.hpp"
+#include "planning/chain_bests.hpp"
 #include "planning/kernel_workspace.hpp"
 #include "planning/lane_state.hpp"
 
@@ -64,8 +65,11 @@ kernel::SearchBox search_box(const SearchSpace& space, std::vector<kernel::Range
 }  // namespace
 
 struct Annealer::Lanes {
-  explicit Lanes(const Task& task)
-      : batch(task.evaluator), memory(task.space.postures.size()), box(search_box(task.space, ranges)) {}
+  Lanes(const Task& task, const Distinctness& distinctness)
+      : batch(task.evaluator),
+        memory(task.space.postures.size()),
+        bests(task.space.postures, distinctness),
+        box(search_box(task.space, ranges)) {}
 
   StateRows proposals() const {
     const kernel::Workspace& work = batch.memory_->work();
@@ -78,6 +82,7 @@ struct Annealer::Lanes {
 
   StateEvaluator::Batch batch;
   KernelChains memory;
+  ChainBests bests;
   std::vector<kernel::Range> ranges;
   kernel::SearchBox box;
   std::vector<ContactApproach> approaches;
@@ -90,7 +95,7 @@ Annealer::Annealer(const Task& task, std::uint64_t number, int n_chains, PreGras
       number_(static_cast<int>(number)),
       list_(std::move(list)),
       random_({task.seed, number}),
-      lanes_(std::make_unique<Lanes>(task)) {
+      lanes_(std::make_unique<Lanes>(task, list_.distinctness())) {
   for (int i = 0; i < 4 * n_lanes; ++i)
     lanes_->memory.chains().random[i] = static_cast<std::int32_t>(random_() >> 32);
   restart();
@@ -152,7 +157,7 @@ void Annealer::step(double progress, std::int64_t most) {
         copy_lane(lanes_->proposals(), lane, lanes_->current(), k, task_.space.postures.size());
         chains.energy[k] = work.energy[lane];
       }
-      remember(lane);
+      remember(lane, first / each);
       break;
     }
 }
@@ -198,19 +203,49 @@ void Annealer::count(StateEvaluator::Verdict verdict) {
   }
 }
 
-void Annealer::remember(int lane) {
-  const double energy = lanes_->batch.energy(lane);
-  const bool record = energy < best_energy_;
-  if (!record && !list_.admits(energy)) return;
-  const HandModel& hand = *task_.model.scene().hand;
-  const HandState state = lanes_->batch.state(lane);
-  PreGrasp found{hand_pose(hand, state),   state.amplitudes, hand_posture(hand, task_.space, state), energy,
-                 number_ * n_lanes + lane, counts_.evaluated};
-  if (record) {
+void Annealer::remember(int lane, int chain) {
+  const float energy = lanes_->batch.memory_->work().energy[lane];
+  if (energy < best_energy_) {
     best_energy_ = energy;
-    milestones_.push_back({counts_.evaluated, energy, found.X_OH, found.dofs});
+    const PreGrasp found = pregrasp(lanes_->batch.state(lane), energy, chain, counts_.evaluated);
+    milestones_.push_back({counts_.evaluated, best_energy_, found.X_OH, found.dofs});
   }
-  if (list_.admits(energy)) list_.add(std::move(found));
+  ChainBests& bests = lanes_->bests;
+  if (bests.holds(chain)) {
+    const bool near = bests.near(chain, lanes_->proposals(), lane);
+    if (near && bests.energy(chain) <= energy) return;
+    if (!near) settle(chain);
+  }
+  bests.hold(chain, lanes_->proposals(), lane, energy, counts_.evaluated);
+}
+
+PreGrasp Annealer::pregrasp(const HandState& state, double energy, int chain, std::int64_t iteration) const {
+  const HandModel& hand = *task_.model.scene().hand;
+  return {hand_pose(hand, state),
+          state.amplitudes,
+          hand_posture(hand, task_.space, state),
+          energy,
+          number_ * n_lanes + chain,
+          iteration};
+}
+
+/// Offers the list what is held of a chain.
+void Annealer::settle(int chain) {
+  ChainBests& bests = lanes_->bests;
+  const double energy = bests.energy(chain);
+  if (list_.admits(energy)) list_.add(pregrasp(bests.state(chain), energy, chain, bests.iteration(chain)));
+  bests.drop(chain);
+}
+
+const PreGraspList& Annealer::best() {
+  for (int chain = 0; chain < n_chains_; ++chain)
+    if (lanes_->bests.holds(chain)) settle(chain);
+  return list_;
+}
+
+void Annealer::forget() {
+  for (int chain = 0; chain < n_chains_; ++chain) lanes_->bests.drop(chain);
+  list_.clear();
 }
 
 }  // namespace eigengrasp

@@ -13,7 +13,7 @@ namespace {
 constexpr std::align_val_t cache_line{64};
 
 int rows_of(const kernel::Program& p) {
-  return 3 + 4 + p.n_amplitudes + 3 + p.n_dofs + 12 * p.n_bodies + 3 * p.n_parts + p.n_parts + 1;
+  return 3 + 4 + p.n_amplitudes + 3 + p.n_dofs + 12 * p.n_bodies + 3 * p.n_parts + 3 * p.n_cores + 1;
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ KernelWorkspace::KernelWorkspace(const kernel::Program& p) : rows_(rows_of(p)) {
   work_.dofs = rows_.take(p.n_dofs);
   work_.poses = rows_.take(12 * p.n_bodies);
   work_.centers = rows_.take(3 * p.n_parts);
-  work_.unsure = reinterpret_cast<std::uint32_t*>(rows_.take(p.n_parts));
+  work_.cores = rows_.take(3 * p.n_cores);
   work_.row = rows_.take(1);
   std::fill_n(work_.quaternion, kernel::n_lanes, 1.0f);
   std::fill_n(work_.threshold, kernel::n_lanes, std::numeric_limits<float>::infinity());

@@ -14,7 +14,6 @@ namespace eigengrasp {
 
 namespace {
 
-constexpr int most_cores = 3;  // balls of a part that are tried before all others
 
 kernel::Transform transform_of(const Pose& X) {
   kernel::Transform t;
@@ -80,6 +79,8 @@ StateProgram::StateProgram(const CollisionModel& model, const EigengraspSpace& p
   for (std::size_t k = 0; k < scene.obstacles.size(); ++k)
     obstacles_.push_back({view(model.obstacle_field(k)), transform_of(scene.obstacles[k].X_OB.inverse())});
 
+  if (parts_.size() > std::size_t{kernel::most_parts})
+    throw std::logic_error("a hand has too many links with surfaces to be searched");
   program_.n_dofs = hand.n_dof();
   program_.n_amplitudes = postures.size();
   program_.n_bodies = static_cast<int>(bodies_.size());
@@ -94,7 +95,9 @@ StateProgram::StateProgram(const CollisionModel& model, const EigengraspSpace& p
   put(hand.approach_point_H, program_.approach_point);
   program_.bodies = bodies_.data();
   program_.parts = parts_.data();
-  program_.cores = cores_.data();
+  program_.n_cores = cores_.size();
+  program_.cores = cores_.cores();
+  program_.core_packs = cores_.packs();
   program_.clusters = packs_.clusters();
   program_.balls = packs_.balls();
   program_.pairs = pairs_.data();
@@ -157,37 +160,8 @@ void StateProgram::add_part(const CollisionModel& model, int link) {
 void StateProgram::add_balls(const HandSurfaces::LinkSurface& surface, const Pose& X_BL, kernel::Part& part) {
   std::vector<Sphere> balls = surface.inner_spheres;
   for (Sphere& s : balls) s.center = X_BL * s.center;
-  add_cores(balls, part);
+  cores_.add(balls, static_cast<int>(parts_.size()), part);
   packs_.add(std::move(balls), part);
-}
-
-// The largest ball, then those that are large and far from the ones before.
-void StateProgram::add_cores(const std::vector<Sphere>& balls_B, kernel::Part& part) {
-  part.first_core = static_cast<int>(cores_.size());
-  std::vector<const Sphere*> chosen;
-  const auto merit = [&](const Sphere& s) {
-    double away = chosen.empty() ? 0.0 : std::numeric_limits<double>::infinity();
-    for (const Sphere* c : chosen) away = std::min(away, (c->center - s.center).norm());
-    return s.radius + 0.5 * away;
-  };
-  while (static_cast<int>(chosen.size()) < std::min<int>(most_cores, static_cast<int>(balls_B.size()))) {
-    const auto best = std::max_element(balls_B.begin(), balls_B.end(),
-                                       [&](const Sphere& a, const Sphere& b) { return merit(a) < merit(b); });
-    chosen.push_back(&*best);
-    kernel::CoreBall core;
-    put(best->center, core.center);
-    core.radius = static_cast<float>(best->radius);
-    core.reach = 0.0f;
-    cores_.push_back(core);
-  }
-  for (const Sphere& s : balls_B) {
-    std::size_t nearest = 0;
-    for (std::size_t k = 1; k < chosen.size(); ++k)
-      if ((chosen[k]->center - s.center).norm() < (chosen[nearest]->center - s.center).norm()) nearest = k;
-    float& reach = cores_[static_cast<std::size_t>(part.first_core) + nearest].reach;
-    reach = std::max(reach, static_cast<float>((chosen[nearest]->center - s.center).norm() + s.radius));
-  }
-  part.n_cores = static_cast<int>(chosen.size());
 }
 
 // The part with fewer balls is looked up in the field of the other.

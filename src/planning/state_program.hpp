@@ -6,6 +6,7 @@
 
 #include "eigengrasp/grasp/collision_model.hpp"
 #include "planning/ball_packs.hpp"
+#include "planning/part_cores.hpp"
 
 namespace eigengrasp {
 
@@ -27,7 +28,6 @@ class StateProgram {
   void add_bodies(const HandModel& hand);
   void add_part(const CollisionModel& model, int link);
   void add_balls(const HandSurfaces::LinkSurface& surface, const Pose& X_BL, kernel::Part& part);
-  void add_cores(const std::vector<Sphere>& balls_B, kernel::Part& part);
   void add_pairs(const HandModel& hand);
   void add_contacts(const HandModel& hand);
   kernel::FieldView view(const DistanceField& field);
@@ -39,7 +39,7 @@ class StateProgram {
   std::vector<int> part_of_link_;
   std::vector<kernel::Body> bodies_;
   std::vector<kernel::Part> parts_;
-  std::vector<kernel::CoreBall> cores_;
+  PartCores cores_;
   BallPacks packs_;
   std::vector<kernel::Pair> pairs_;
   std::vector<kernel::Contact> contacts_;

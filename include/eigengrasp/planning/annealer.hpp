@@ -87,9 +87,12 @@ class Annealer {
 
   const StateCounts& counts() const { return counts_; }
   std::int64_t iterations() const { return counts_.evaluated; }
-  const PreGraspList& best() const { return list_; }
+  /// The best distinct states since the last forget().
+  const PreGraspList& best();
   /// Empties the list of the best.
-  void forget() { list_.clear(); }
+  void forget();
+  /// The lowest energy so far; 1e8 where no state was legal.
+  double best_energy() const { return best_energy_; }
   /// Each state that was better than all before it.
   const std::vector<SearchMilestone>& milestones() const { return milestones_; }
 
@@ -100,7 +103,9 @@ class Annealer {
   void set_temperatures(double progress);
   void judge_in_full();
   void count(StateEvaluator::Verdict verdict);
-  void remember(int lane);
+  void remember(int lane, int chain);
+  void settle(int chain);
+  PreGrasp pregrasp(const HandState& state, double energy, int chain, std::int64_t iteration) const;
 
   Task task_;
   int n_chains_;

@@ -43,6 +43,7 @@ class PreGraspList {
   bool add(PreGrasp candidate);
   const std::vector<PreGrasp>& items() const { return items_; }
   void clear();
+  const Distinctness& distinctness() const { return distinct_; }
 
  private:
   /// Whether the two are not distinct. @param place of the first one's approach point in O

@@ -24,9 +24,9 @@ class Evaluation {
     alive_ = 0xffffu;
     for (int i = 0; i < n_lanes; ++i) w_.verdict[i] = legal;
     const std::uint32_t unsure_postures = consult_postures();
-    meet_object();
-    if (alive_ == 0) return;
     add_up_energy();
+    if (alive_ == 0) return;
+    place_cores();
     for (int k = 0; k < p_.n_obstacles && alive_ != 0; ++k) meet_obstacle(p_.obstacles[k]);
     for (std::uint32_t left = alive_; left != 0; left &= left - 1) {
       const int lane = __builtin_ctz(left);
@@ -118,24 +118,20 @@ class Evaluation {
     for (; lanes != 0; lanes &= lanes - 1) w_.verdict[__builtin_ctz(lanes)] = verdict;
   }
 
-  /// Sorts out states that surely hit the object, and notes which parts are so near that it is unsure. No
-  /// branch depends on what is found, so that many lookups are under way at once.
-  void meet_object() {
-    std::uint32_t hit = 0;
+  /// Where the cores of all parts are, in every lane.
+  void place_cores() {
     for (int i = 0; i < p_.n_parts; ++i) {
       const Part& part = p_.parts[i];
       const Motion<B> X = load_motion<B>(pose(part.body));
-      std::uint32_t near = 0;
       for (int k = part.first_core; k < part.first_core + part.n_cores; ++k) {
-        const CoreBall& ball = p_.cores[k];
-        const DistanceBounds<B> at_core = bound_distance<B>(p_.object.field, moved(X, splat<B>(ball.center)));
-        hit |= bits(at_core.upper < F(ball.radius));
-        near |= bits(at_core.lower < F(ball.reach));
+        const V c = moved(X, splat<B>(p_.cores[k].center));
+        store<B>(core(k), c.x);
+        store<B>(core(k) + n_lanes, c.y);
+        store<B>(core(k) + 2 * n_lanes, c.z);
       }
-      w_.unsure[i] = near;
     }
-    end(hit & alive_, hits_object);
   }
+  float* core(int k) const { return w_.cores + k * 3 * n_lanes; }
 
   /// Mean over the virtual contacts of distance in millimetres + 1000 alpha (1 - n . o / |o|). No contact
   /// lowers the sum: it ends where all states that are left are above their thresholds.
@@ -178,12 +174,31 @@ class Evaluation {
     return t;
   }
 
+  /// Sixteen cores at once; then the parts that have some near the object.
   bool touches_object(int lane) const {
-    for (int i = 0; i < p_.n_parts; ++i)
-      if ((w_.unsure[i] >> lane & 1u) &&
-          part_hits(p_.parts[i], splat_lane<B>(pose(p_.parts[i].body) + lane), p_.object.field))
-        return true;
+    std::uint64_t near_parts = 0;
+    for (int first = 0; first < p_.n_cores; first += n_lanes) {
+      const CorePack& pack = p_.core_packs[first / n_lanes];
+      const Ints<B> at = load_ints<B>(pack.place);
+      const float* const centers = w_.cores + lane;
+      const V center{gather<B>(centers, at), gather<B>(centers + n_lanes, at),
+                     gather<B>(centers + 2 * n_lanes, at)};
+      const PointDistance<B> d = look_up<B>(p_.object.field, center);
+      if (bits(d.at_border + d.beyond - load<B>(pack.radius) < F(-p_.refuse_depth)) != 0) return true;
+      std::uint32_t near = bits(lower_bound(d) - load<B>(pack.reach) < F(-p_.refuse_depth));
+      for (; near != 0; near &= near - 1) near_parts |= 1ull << pack.part[__builtin_ctz(near)];
+    }
+    for (; near_parts != 0; near_parts &= near_parts - 1) {
+      const Part& part = p_.parts[__builtin_ctzll(near_parts)];
+      if (part_hits(part, splat_lane<B>(pose(part.body) + lane), p_.object.field)) return true;
+    }
     return false;
+  }
+
+  /// A point beyond the grid by b, whose border's distance is d, is at least the root of d^2 + b^2 from the
+  /// surface, since that lies within the grid's box; and at most d + b.
+  static F lower_bound(const PointDistance<B>& d) {
+    return select(F(0.0f) < d.beyond, sqrt(d.beyond * d.beyond + d.at_border * d.at_border), d.at_border);
   }
 
   /// The least distance minus radius over the balls of a part, where that is below the limit, else the limit.
@@ -230,12 +245,9 @@ class Evaluation {
   std::uint32_t near_clusters(const ClusterPack& c, const Motion<B>& X, const FieldView& field,
                               float& least) const {
     const PointDistance<B> at = look_up<B>(field, moved(X, V{load<B>(c.x), load<B>(c.y), load<B>(c.z)}));
-    // A point beyond the grid by b, whose border's distance is d, is at most d + b from the surface, and at
-    // least the root of d^2 + b^2, since the surface lies within the grid's box.
     const F core = at.at_border + at.beyond - load<B>(c.core);
     if (bits(core < F(least)) != 0) least = lowest(core, least);
-    const F lower = sqrt(at.beyond * at.beyond + at.at_border * at.at_border);
-    const F slack = select(F(0.0f) < at.beyond, lower, at.at_border) - load<B>(c.reach);
+    const F slack = lower_bound(at) - load<B>(c.reach);
     return bits(slack < F(least));
   }
 
@@ -289,24 +301,37 @@ class Evaluation {
 
   /// Sorts out the postures that surely collide, and returns the lanes of those that may.
   std::uint32_t consult_postures() {
+    // How far the clearance may be from what is interpolated, see docs/theory/performance.md.
+    constexpr float least_tolerance = 0.0001f;  // [m]
+    constexpr float tolerance_per_spread = 0.3f;
     const PostureGrid& g = p_.postures;
     if (!g.clearance) return 0xffffu;
-    const auto node = [&](int i) {
+    const auto place = [&](int i) {
       const F u = F(g.per_amplitude[i]) * (load<B>(w_.amplitudes + i * n_lanes) - F(g.low[i]));
-      return truncate(clamp(u, F(0.0f), F(static_cast<float>(g.nodes[i] - 2))));
+      return clamp(u, F(0.0f), F(static_cast<float>(g.nodes[i] - 1)));
+    };
+    const auto node = [&](const F& u, int i) {
+      return truncate(min(u, F(static_cast<float>(g.nodes[i] - 2))));
     };
     const bool two = p_.n_amplitudes > 1;
-    const Ints<B> at = two ? node(0) + node(1) * Ints<B>(g.nodes[0]) : node(0);
+    const F u0 = place(0);
+    const F u1 = two ? place(1) : F(0.0f);
+    const Ints<B> i0 = node(u0, 0);
+    const Ints<B> i1 = two ? node(u1, 1) : Ints<B>(0);
+    const Ints<B> at = i0 + i1 * Ints<B>(g.nodes[0]);
     const Ints<B> up(two ? g.nodes[0] : 0);
     const Ints<B> one(1);
     const F c00 = gather<B>(g.clearance, at);
     const F c10 = gather<B>(g.clearance, at + one);
     const F c01 = gather<B>(g.clearance, at + up);
     const F c11 = gather<B>(g.clearance, at + up + one);
-    constexpr float unsure =
-        0.0007f;  // [m] how far the clearance inside a cell may be from that at its corners
-    end(bits(max(max(c00, c10), max(c01, c11)) < F(-p_.refuse_depth - unsure)) & alive_, hits_itself);
-    return bits(min(min(c00, c10), min(c01, c11)) < F(-p_.refuse_depth + unsure));
+    const F f0 = u0 - to_float(i0);
+    const F clear = mix(mix(c00, c10, f0), mix(c01, c11, f0), u1 - to_float(i1));
+    const F spread = max(max(c00, c10), max(c01, c11)) - min(min(c00, c10), min(c01, c11));
+    const F tolerance = F(least_tolerance) + F(tolerance_per_spread) * spread;
+    const F over = clear + F(p_.refuse_depth);
+    end(bits(over < F(0.0f) - tolerance) & alive_, hits_itself);
+    return bits(over < tolerance);
   }
 
   void meet_itself(std::uint32_t unsure) {

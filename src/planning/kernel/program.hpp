@@ -78,11 +78,19 @@ struct Part {
   FieldView field;
 };
 
-/// One of the large inner balls of a part. Together their reaches hold the whole part.
+inline constexpr int most_parts = 64;
+
+/// One of the large inner balls of a part.
 struct CoreBall {
-  float center[3];
-  float radius;
-  float reach;  ///< inner balls that are nearer to this core than to the others lie within this of its centre
+  float center[3];  ///< in the frame of the part's body
+};
+
+/// Sixteen cores of any parts.
+struct alignas(64) CorePack {
+  std::int32_t place[n_lanes];  ///< of lane 0 of the core's centre in Workspace::cores
+  float radius[n_lanes];
+  float reach[n_lanes];  ///< balls of the part that are nearer to this core than to its others lie within this
+  std::int32_t part[n_lanes];
 };
 
 struct Pair {
@@ -113,7 +121,7 @@ inline constexpr float most_clearance = 0.004f;
 
 /// Immutable; shared by all threads.
 struct Program {
-  std::int32_t n_dofs, n_amplitudes, n_bodies, n_parts, n_pairs, n_contacts, n_obstacles;
+  std::int32_t n_dofs, n_amplitudes, n_bodies, n_parts, n_cores, n_pairs, n_contacts, n_obstacles;
   const float* origin;   ///< (n_dofs) of the eigengrasp space
   const float* basis;    ///< (n_dofs x n_amplitudes) row-major
   const float* dof_min;  ///< (n_dofs)
@@ -122,6 +130,7 @@ struct Program {
   const Body* bodies;
   const Part* parts;
   const CoreBall* cores;
+  const CorePack* core_packs;
   const ClusterPack* clusters;
   const BallPack* balls;
   const Pair* pairs;
@@ -153,7 +162,7 @@ struct Workspace {
   float* dofs;            ///< (n_dofs x 16) scratch
   float* poses;           ///< (n_bodies x 12 x 16) scratch
   float* centers;         ///< (n_parts x 3 x 16) scratch
-  std::uint32_t* unsure;  ///< (n_parts) scratch: lanes in which the part is near the object
+  float* cores;           ///< (n_cores x 3 x 16) scratch
   float* row;             ///< (16) scratch
 };
 
