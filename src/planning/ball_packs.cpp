@@ -11,35 +11,34 @@ namespace eigengrasp {
 namespace {
 
 using kernel::n_lanes;
-constexpr std::size_t of_pack = n_lanes;               // balls of a pack, one cluster
-constexpr std::size_t of_clusters = n_lanes * of_pack;  // balls of a pack of clusters
-constexpr float never = -1e9f;                         // radius of a ball that meets nothing
-constexpr double cluster_slack = 0.0003;               // [m] for the field's error at a cluster's centre
-constexpr int most_without_top = 1;                    // packs of clusters that are all looked at
+constexpr std::size_t of_pack = n_lanes;     // balls of a pack
+constexpr std::size_t most_of_core = 256;    // balls that a core owns, at most 16 packs
+constexpr float never = -1e9f;               // radius of a ball that meets nothing
+constexpr double field_slack = 0.0003;       // [m] for the field's error at a centre
 
 using Balls = std::span<Sphere>;
 
-/// Orders balls so that neighbours stand together, by halving along the longest side at a multiple of the
-/// unit: every unit but the last is full.
-void order(Balls balls, std::size_t unit) {
-  if (balls.size() <= unit) return;
+void sort_along_longest_side(Balls balls) {
   Box centers;
   for (const Sphere& s : balls) centers.add(s.center);
   Eigen::Index axis = 0;
   centers.size().maxCoeff(&axis);
   std::stable_sort(balls.begin(), balls.end(),
                    [axis](const Sphere& a, const Sphere& b) { return a.center[axis] < b.center[axis]; });
-  const std::size_t units = (balls.size() + unit - 1) / unit;
-  const std::size_t half = units / 2 * unit;
-  order(balls.first(half), unit);
-  order(balls.subspan(half), unit);
 }
 
-std::vector<Balls> cut(Balls balls, std::size_t unit) {
-  std::vector<Balls> parts;
-  for (std::size_t first = 0; first < balls.size(); first += unit)
-    parts.push_back(balls.subspan(first, std::min(unit, balls.size() - first)));
-  return parts;
+/// Orders balls so that neighbours stand together and cuts them into groups of at most so many, by halving; all
+/// packs but the last one of a group are full.
+void cut(Balls balls, std::size_t most, std::vector<Balls>& groups) {
+  if (balls.size() <= most) {
+    groups.push_back(balls);
+    return;
+  }
+  sort_along_longest_side(balls);
+  const std::size_t packs = (balls.size() + of_pack - 1) / of_pack;
+  const std::size_t half = packs / 2 * of_pack;
+  cut(balls.first(half), most, groups);
+  cut(balls.subspan(half), most, groups);
 }
 
 kernel::BallPack pack_of(Balls balls) {
@@ -54,11 +53,12 @@ kernel::BallPack pack_of(Balls balls) {
   return pack;
 }
 
-kernel::ClusterPack no_clusters() {
-  kernel::ClusterPack empty{};
-  std::fill(std::begin(empty.core), std::end(empty.core), never);
-  std::fill(std::begin(empty.reach), std::end(empty.reach), never);
-  return empty;
+template <class Pack>
+Pack pack_of_none() {
+  Pack pack{};
+  std::fill(std::begin(pack.radius), std::end(pack.radius), never);
+  std::fill(std::begin(pack.reach), std::end(pack.reach), never);
+  return pack;
 }
 
 double reach_from(const Sphere& core, Balls balls) {
@@ -67,45 +67,60 @@ double reach_from(const Sphere& core, Balls balls) {
   return reach;
 }
 
-/// Its core is the ball over whose surface the others stick out least.
-void set_cluster(kernel::ClusterPack& pack, std::size_t lane, Balls balls) {
-  const Sphere* core = nullptr;
+/// The ball over whose surface the others stick out least.
+const Sphere& core_of(Balls balls) {
+  const Sphere* core = &balls.front();
   double least = std::numeric_limits<double>::infinity();
   for (const Sphere& s : balls)
     if (const double excess = reach_from(s, balls) - s.radius; excess < least) {
       least = excess;
       core = &s;
     }
-  pack.x[lane] = static_cast<float>(core->center.x());
-  pack.y[lane] = static_cast<float>(core->center.y());
-  pack.z[lane] = static_cast<float>(core->center.z());
-  pack.core[lane] = static_cast<float>(core->radius);
-  pack.reach[lane] = static_cast<float>(reach_from(*core, balls) + cluster_slack);
+  return *core;
 }
 
-/// Packs of clusters, of sixteen each but the last.
-void append(std::vector<kernel::ClusterPack>& packs, const std::vector<Balls>& groups) {
-  for (std::size_t g = 0; g < groups.size(); ++g) {
-    if (g % n_lanes == 0) packs.push_back(no_clusters());
-    set_cluster(packs.back(), g % n_lanes, groups[g]);
+kernel::ClusterPack clusters_of(const std::vector<Balls>& packs) {
+  auto clusters = pack_of_none<kernel::ClusterPack>();
+  for (std::size_t k = 0; k < packs.size(); ++k) {
+    const Sphere& core = core_of(packs[k]);
+    clusters.x[k] = static_cast<float>(core.center.x());
+    clusters.y[k] = static_cast<float>(core.center.y());
+    clusters.z[k] = static_cast<float>(core.center.z());
+    clusters.radius[k] = static_cast<float>(core.radius);
+    clusters.reach[k] = static_cast<float>(reach_from(core, packs[k]) + field_slack);
   }
+  return clusters;
 }
 
 }  // namespace
 
 void BallPacks::add(std::vector<Sphere> balls_B, kernel::Part& part) {
-  order(balls_B, of_clusters);
-  const std::vector<Balls> regions = cut(balls_B, of_clusters);
-  part.first_pack = static_cast<int>(balls_.size() / n_lanes);
-  part.n_packs = static_cast<int>(regions.size());
-  for (const Balls& region : regions) order(region, of_pack);
-  for (const Balls& pack : cut(balls_B, of_pack)) balls_.push_back(pack_of(pack));
-  balls_.resize((balls_.size() + n_lanes - 1) / n_lanes * n_lanes, pack_of({}));
-  part.first_cluster = static_cast<int>(clusters_.size());
-  append(clusters_, cut(balls_B, of_pack));
-  part.first_top = static_cast<int>(clusters_.size());
-  if (part.n_packs > most_without_top) append(clusters_, regions);
-  part.n_tops = static_cast<int>(clusters_.size()) - part.first_top;
+  std::vector<Balls> owned;
+  if (!balls_B.empty()) cut(balls_B, most_of_core, owned);
+  part.first_core = n_cores();
+  part.n_cores = static_cast<int>(owned.size());
+  for (const Balls& balls : owned) {
+    std::vector<Balls> packs;
+    cut(balls, of_pack, packs);
+    clusters_.push_back(clusters_of(packs));
+    packs.resize(n_lanes);
+    for (const Balls& pack : packs) balls_.push_back(pack_of(pack));
+    const Sphere& core = core_of(balls);
+    add_core(core, reach_from(core, balls) + field_slack, part.body);
+  }
+}
+
+void BallPacks::add_core(const Sphere& core, double reach, int body) {
+  const std::size_t lane = cores_.size() % n_lanes;
+  if (lane == 0) core_packs_.push_back(pack_of_none<kernel::CorePack>());
+  kernel::CorePack& pack = core_packs_.back();
+  pack.place[lane] = 3 * n_lanes * n_cores();
+  pack.radius[lane] = static_cast<float>(core.radius);
+  pack.reach[lane] = static_cast<float>(reach);
+  kernel::CoreBall ball{};
+  for (int i = 0; i < 3; ++i) ball.center[i] = static_cast<float>(core.center[i]);
+  ball.body = body;
+  cores_.push_back(ball);
 }
 
 }  // namespace eigengrasp

@@ -79,8 +79,6 @@ StateProgram::StateProgram(const CollisionModel& model, const EigengraspSpace& p
   for (std::size_t k = 0; k < scene.obstacles.size(); ++k)
     obstacles_.push_back({view(model.obstacle_field(k)), transform_of(scene.obstacles[k].X_OB.inverse())});
 
-  if (parts_.size() > std::size_t{kernel::most_parts})
-    throw std::logic_error("a hand has too many links with surfaces to be searched");
   program_.n_dofs = hand.n_dof();
   program_.n_amplitudes = postures.size();
   program_.n_bodies = static_cast<int>(bodies_.size());
@@ -95,9 +93,9 @@ StateProgram::StateProgram(const CollisionModel& model, const EigengraspSpace& p
   put(hand.approach_point_H, program_.approach_point);
   program_.bodies = bodies_.data();
   program_.parts = parts_.data();
-  program_.n_cores = cores_.size();
-  program_.cores = cores_.cores();
-  program_.core_packs = cores_.packs();
+  program_.n_cores = packs_.n_cores();
+  program_.cores = packs_.cores();
+  program_.core_packs = packs_.core_packs();
   program_.clusters = packs_.clusters();
   program_.balls = packs_.balls();
   program_.pairs = pairs_.data();
@@ -160,7 +158,6 @@ void StateProgram::add_part(const CollisionModel& model, int link) {
 void StateProgram::add_balls(const HandSurfaces::LinkSurface& surface, const Pose& X_BL, kernel::Part& part) {
   std::vector<Sphere> balls = surface.inner_spheres;
   for (Sphere& s : balls) s.center = X_BL * s.center;
-  cores_.add(balls, static_cast<int>(parts_.size()), part);
   packs_.add(std::move(balls), part);
 }
 
@@ -171,7 +168,7 @@ void StateProgram::add_pairs(const HandModel& hand) {
     const int pb = part_of_link_[static_cast<std::size_t>(b)];
     if (pa < 0 || pb < 0) continue;
     const bool fewer =
-        parts_[static_cast<std::size_t>(pa)].n_packs <= parts_[static_cast<std::size_t>(pb)].n_packs;
+        parts_[static_cast<std::size_t>(pa)].n_cores <= parts_[static_cast<std::size_t>(pb)].n_cores;
     pairs_.push_back(fewer ? kernel::Pair{pa, pb} : kernel::Pair{pb, pa});
   }
 }

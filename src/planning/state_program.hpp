@@ -6,7 +6,6 @@
 
 #include "eigengrasp/grasp/collision_model.hpp"
 #include "planning/ball_packs.hpp"
-#include "planning/part_cores.hpp"
 
 namespace eigengrasp {
 
@@ -39,7 +38,6 @@ class StateProgram {
   std::vector<int> part_of_link_;
   std::vector<kernel::Body> bodies_;
   std::vector<kernel::Part> parts_;
-  PartCores cores_;
   BallPacks packs_;
   std::vector<kernel::Pair> pairs_;
   std::vector<kernel::Contact> contacts_;

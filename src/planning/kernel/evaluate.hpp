@@ -46,7 +46,9 @@ class Evaluation {
       const Part& b = p_.parts[p_.pairs[i].field];
       for (std::uint32_t left = near_each_other(p_.pairs[i], most_clearance); left != 0; left &= left - 1) {
         const int lane = __builtin_ctz(left);
-        least[lane] = clearance<false>(a, splat_motion<B>(pose_in_link(a, b, lane)), b.field, least[lane]);
+        const Motion<B> X = splat_motion<B>(pose_in_link(a, b, lane));
+        for (int core = a.first_core; core < a.first_core + a.n_cores; ++core)
+          least[lane] = clearance<false>(core, X, b.field, least[lane]);
       }
     }
     for (int i = 0; i < n_lanes; ++i) w_.energy[i] = least[i];
@@ -118,20 +120,17 @@ class Evaluation {
     for (; lanes != 0; lanes &= lanes - 1) w_.verdict[__builtin_ctz(lanes)] = verdict;
   }
 
-  /// Where the cores of all parts are, in every lane.
+  /// Where the cores are, in every lane.
   void place_cores() {
-    for (int i = 0; i < p_.n_parts; ++i) {
-      const Part& part = p_.parts[i];
-      const Motion<B> X = load_motion<B>(pose(part.body));
-      for (int k = part.first_core; k < part.first_core + part.n_cores; ++k) {
-        const V c = moved(X, splat<B>(p_.cores[k].center));
-        store<B>(core(k), c.x);
-        store<B>(core(k) + n_lanes, c.y);
-        store<B>(core(k) + 2 * n_lanes, c.z);
-      }
+    for (int k = 0; k < p_.n_cores; ++k) {
+      const CoreBall& ball = p_.cores[k];
+      const V c = moved(load_motion<B>(pose(ball.body)), splat<B>(ball.center));
+      float* const to = w_.cores + k * 3 * n_lanes;
+      store<B>(to, c.x);
+      store<B>(to + n_lanes, c.y);
+      store<B>(to + 2 * n_lanes, c.z);
     }
   }
-  float* core(int k) const { return w_.cores + k * 3 * n_lanes; }
 
   /// Mean over the virtual contacts of distance in millimetres + 1000 alpha (1 - n . o / |o|). No contact
   /// lowers the sum: it ends where all states that are left are above their thresholds.
@@ -174,24 +173,26 @@ class Evaluation {
     return t;
   }
 
-  /// Sixteen cores at once; then the parts that have some near the object.
+  /// Sixteen cores at once; then what the cores own that are near the object.
   bool touches_object(int lane) const {
-    std::uint64_t near_parts = 0;
-    for (int first = 0; first < p_.n_cores; first += n_lanes) {
-      const CorePack& pack = p_.core_packs[first / n_lanes];
+    const F limit(-p_.refuse_depth);
+    const int n_packs = (p_.n_cores + n_lanes - 1) / n_lanes;
+    for (int i = 0; i < n_packs; ++i) {
+      const CorePack& pack = p_.core_packs[i];
       const Ints<B> at = load_ints<B>(pack.place);
       const float* const centers = w_.cores + lane;
       const V center{gather<B>(centers, at), gather<B>(centers + n_lanes, at),
                      gather<B>(centers + 2 * n_lanes, at)};
       const PointDistance<B> d = look_up<B>(p_.object.field, center);
-      if (bits(d.at_border + d.beyond - load<B>(pack.radius) < F(-p_.refuse_depth)) != 0) return true;
-      std::uint32_t near = bits(lower_bound(d) - load<B>(pack.reach) < F(-p_.refuse_depth));
-      for (; near != 0; near &= near - 1) near_parts |= 1ull << pack.part[__builtin_ctz(near)];
+      if (bits(d.at_border + d.beyond - load<B>(pack.radius) < limit) != 0) return true;
+      w_.near[i] = bits(lower_bound(d) - load<B>(pack.reach) < limit);
     }
-    for (; near_parts != 0; near_parts &= near_parts - 1) {
-      const Part& part = p_.parts[__builtin_ctzll(near_parts)];
-      if (part_hits(part, splat_lane<B>(pose(part.body) + lane), p_.object.field)) return true;
-    }
+    for (int i = 0; i < n_packs; ++i)
+      for (std::uint32_t near = w_.near[i]; near != 0; near &= near - 1) {
+        const int core = n_lanes * i + __builtin_ctz(near);
+        const Motion<B> X = splat_lane<B>(pose(p_.cores[core].body) + lane);
+        if (core_hits(core, X, p_.object.field)) return true;
+      }
     return false;
   }
 
@@ -201,51 +202,29 @@ class Evaluation {
     return select(F(0.0f) < d.beyond, sqrt(d.beyond * d.beyond + d.at_border * d.at_border), d.at_border);
   }
 
-  /// The least distance minus radius over the balls of a part, where that is below the limit, else the limit.
-  /// `enough`: may return as soon as something below the limit was found.
+  /// The least distance minus radius over the balls that a core owns, where that is below the limit, else the
+  /// limit. `enough`: may return as soon as something below the limit was found.
   /// @param X pose of the part's body in the field's frame
   template <bool enough>
-  float clearance(const Part& part, const Motion<B>& X, const FieldView& field, float limit) const {
+  float clearance(int core, const Motion<B>& X, const FieldView& field, float limit) const {
     float least = limit;
-    if (part.n_tops == 0) {
-      for (int i = 0; i < part.n_packs; ++i) {
-        look_at_clusters<enough>(part, i, X, field, least);
-        if (enough && least < limit) return least;
-      }
-      return least;
-    }
-    for (int t = 0; t < part.n_tops; ++t) {
-      std::uint32_t near = near_clusters(p_.clusters[part.first_top + t], X, field, least);
-      for (; near != 0; near &= near - 1) {
-        if (enough && least < limit) return least;
-        look_at_clusters<enough>(part, n_lanes * t + __builtin_ctz(near), X, field, least);
-      }
-      if (enough && least < limit) return least;
-    }
-    return least;
-  }
-
-  /// Lowers `least` to the least gap in a pack of clusters; with `enough`, to any that is lower.
-  template <bool enough>
-  void look_at_clusters(const Part& part, int i, const Motion<B>& X, const FieldView& field,
-                        float& least) const {
-    const float limit = least;
-    std::uint32_t near = near_clusters(p_.clusters[part.first_cluster + i], X, field, least);
-    if (enough && least < limit) return;
-    const BallPack* const packs = p_.balls + n_lanes * (part.first_pack + i);
+    std::uint32_t near = near_clusters(p_.clusters[core], X, field, least);
+    if (enough && least < limit) return least;
+    const BallPack* const packs = p_.balls + n_lanes * core;
     for (; near != 0; near &= near - 1) {
       const F gap = ball_gaps(packs[__builtin_ctz(near)], X, field);
       if (bits(gap < F(least)) == 0) continue;
       least = lowest(gap, least);
-      if (enough) return;
+      if (enough) return least;
     }
+    return least;
   }
 
   /// The clusters that may have a ball nearer than `least`, which is lowered to the cores' least gap.
   std::uint32_t near_clusters(const ClusterPack& c, const Motion<B>& X, const FieldView& field,
                               float& least) const {
     const PointDistance<B> at = look_up<B>(field, moved(X, V{load<B>(c.x), load<B>(c.y), load<B>(c.z)}));
-    const F core = at.at_border + at.beyond - load<B>(c.core);
+    const F core = at.at_border + at.beyond - load<B>(c.radius);
     if (bits(core < F(least)) != 0) least = lowest(core, least);
     const F slack = lower_bound(at) - load<B>(c.reach);
     return bits(slack < F(least));
@@ -264,8 +243,13 @@ class Evaluation {
     return least;
   }
 
+  bool core_hits(int core, const Motion<B>& X_FB, const FieldView& field) const {
+    return clearance<true>(core, X_FB, field, -p_.refuse_depth) < -p_.refuse_depth;
+  }
   bool part_hits(const Part& part, const Motion<B>& X_FB, const FieldView& field) const {
-    return clearance<true>(part, X_FB, field, -p_.refuse_depth) < -p_.refuse_depth;
+    for (int core = part.first_core; core < part.first_core + part.n_cores; ++core)
+      if (core_hits(core, X_FB, field)) return true;
+    return false;
   }
 
   void meet_obstacle(const Solid& solid) {

@@ -54,12 +54,11 @@ struct alignas(64) BallPack {
   float radius[n_lanes];                     ///< far below 0 for the ones that only fill up
 };
 
-/// Sixteen clusters, of up to sixteen balls each or, at the top, of the balls of up to sixteen such clusters.
-/// The centre is that of one of the balls, the core.
+/// The clusters of a core: of each of its packs of balls one ball, and how far the others are from it.
 struct alignas(64) ClusterPack {
-  float x[n_lanes], y[n_lanes], z[n_lanes];
-  float core[n_lanes];   ///< its radius
-  float reach[n_lanes];  ///< all balls lie within this of the centre
+  float x[n_lanes], y[n_lanes], z[n_lanes];  ///< in the frame of the body
+  float radius[n_lanes];
+  float reach[n_lanes];  ///< all balls of the pack lie within this of the centre
 };
 
 /// A link with a surface: inner balls that cover it, and its own distance field.
@@ -67,30 +66,24 @@ struct Part {
   std::int32_t body;
   float center[3];          ///< of a ball about the whole part, in the body's frame
   float reach;              ///< its radius
-  std::int32_t first_core;  ///< the largest inner balls that are far from each other
+  std::int32_t first_core;  ///< its balls belong to its cores
   std::int32_t n_cores;
-  std::int32_t first_cluster;  ///< pack of clusters
-  std::int32_t n_packs;        ///< of clusters
-  std::int32_t first_pack;  ///< cluster k of the ith of them has the balls of pack 16 (first_pack + i) + k
-  std::int32_t first_top;   ///< pack at the top; the kth cluster of the ith stands for pack 16 i + k of clusters
-  std::int32_t n_tops;      ///< 0: all packs of clusters are looked at
   Transform body_in_link;  ///< from the body's frame to the frame of `field`
   FieldView field;
 };
 
-inline constexpr int most_parts = 64;
-
-/// One of the large inner balls of a part.
+/// One of the inner balls of a part, which stands for all about it. Core k owns the kth pack of clusters, and
+/// these the packs of balls 16 k to 16 k + 15.
 struct CoreBall {
-  float center[3];  ///< in the frame of the part's body
+  float center[3];  ///< in the frame of the body
+  std::int32_t body;
 };
 
-/// Sixteen cores of any parts.
+/// Sixteen cores.
 struct alignas(64) CorePack {
   std::int32_t place[n_lanes];  ///< of lane 0 of the core's centre in Workspace::cores
   float radius[n_lanes];
-  float reach[n_lanes];  ///< balls of the part that are nearer to this core than to its others lie within this
-  std::int32_t part[n_lanes];
+  float reach[n_lanes];  ///< all balls that the core owns lie within this of its centre
 };
 
 struct Pair {
@@ -163,6 +156,7 @@ struct Workspace {
   float* poses;           ///< (n_bodies x 12 x 16) scratch
   float* centers;         ///< (n_parts x 3 x 16) scratch
   float* cores;           ///< (n_cores x 3 x 16) scratch
+  std::uint32_t* near;    ///< (n_cores / 16, rounded up) scratch: cores of a state that are near the object
   float* row;             ///< (16) scratch
 };
 
