@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "eigengrasp/kinematics/forward_kinematics.hpp"
+#include "eigengrasp/planning/temperature_ladder.hpp"
 #include "planning/chain_bests.hpp"
 #include "planning/kernel_workspace.hpp"
 #include "planning/lane_state.hpp"
@@ -42,6 +44,7 @@ VecX hand_posture(const HandModel& hand, const SearchSpace& space, const HandSta
 namespace {
 
 constexpr int n_lanes = kernel::n_lanes;
+constexpr int steps_between_exchanges = 2;
 constexpr float no_energy = 1e8f;  ///< of a start: the first legal neighbour is taken
 
 kernel::SearchBox search_box(const SearchSpace& space, std::vector<kernel::Range>& ranges) {
@@ -71,6 +74,17 @@ struct Annealer::Lanes {
         bests(task.space.postures, distinctness),
         box(search_box(task.space, ranges)) {}
 
+  void raise_ladder(const Task& task, std::uint64_t number) {
+    std::vector<double> acceptance;
+    for (int rung = 0; rung < n_lanes; ++rung) {
+      const double progress = 1.0 - rung / (n_lanes - 1.0);
+      jump_temperatures.push_back(task.schedule.temperature(progress));
+      acceptance.push_back(task.schedule.acceptance_temperature(progress));
+    }
+    constexpr std::uint64_t exchanges = 1;  // the annealer's own stream has a key of two numbers
+    ladder.emplace(std::move(acceptance), RandomStream{task.seed, number, exchanges});
+  }
+
   StateRows proposals() const {
     const kernel::Workspace& work = batch.memory_->work();
     return {work.position, work.quaternion, work.amplitudes};
@@ -85,6 +99,9 @@ struct Annealer::Lanes {
   ChainBests bests;
   std::vector<kernel::Range> ranges;
   kernel::SearchBox box;
+  std::optional<TemperatureLadder> ladder;  ///< of acceptance
+  std::vector<double> jump_temperatures;    ///< of its rungs
+  int steps = 0;                            ///< on it
   std::vector<ContactApproach> approaches;
   std::vector<Pose> X_OL;
 };
@@ -98,6 +115,7 @@ Annealer::Annealer(const Task& task, std::uint64_t number, int n_chains, PreGras
       lanes_(std::make_unique<Lanes>(task, list_.distinctness())) {
   for (int i = 0; i < 4 * n_lanes; ++i)
     lanes_->memory.chains().random[i] = static_cast<std::int32_t>(random_() >> 32);
+  if (task.tempered) lanes_->raise_ladder(task, number);
   restart();
 }
 
@@ -105,6 +123,7 @@ Annealer::~Annealer() = default;
 Annealer::Annealer(Annealer&&) noexcept = default;
 
 void Annealer::restart() {
+  if (lanes_->ladder) lanes_->ladder->reset();
   for (int c = 0; c < n_chains_; ++c) restart(c, random_state());
 }
 
@@ -136,10 +155,27 @@ void Annealer::set_temperatures(double progress) {
               static_cast<float>(task_.schedule.acceptance_temperature(progress)));
 }
 
+/// Each lane at the temperature of its chain, after chains have traded theirs.
+void Annealer::temper() {
+  const kernel::Chains& chains = lanes_->memory.chains();
+  TemperatureLadder& ladder = *lanes_->ladder;
+  if (++lanes_->steps % steps_between_exchanges == 0) ladder.exchange(chains.energy);
+  for (int chain = 0; chain < n_lanes; ++chain) {
+    const double t = lanes_->jump_temperatures[static_cast<std::size_t>(ladder.rung(chain))];
+    chains.jump_temperature[chain] = static_cast<float>(t);
+    chains.log_range[chain] = static_cast<float>(std::log1p(1.0 / t));
+    chains.acceptance_temperature[chain] = static_cast<float>(ladder.temperature(chain));
+  }
+}
+
 void Annealer::step(double progress, std::int64_t most) {
   const kernel::Workspace& work = lanes_->batch.memory_->work();
   const kernel::Chains& chains = lanes_->memory.chains();
-  set_temperatures(progress);
+  if (lanes_->ladder) {
+    temper();
+  } else {
+    set_temperatures(progress);
+  }
   task_.evaluator.functions_->propose(lanes_->box, chains, work);
   if (task_.judge_all || task_.energy.kind() == EnergyKind::wrench) {
     judge_in_full();
