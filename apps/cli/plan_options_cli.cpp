@@ -40,8 +40,9 @@ void add_planner_options(CLI::App& command, PlannerChoice& choice) {
                      "Amplitudes to search over: a number, or 'all' degrees of freedom");
   command.add_option("--alpha", o.alpha,
                      "Length that weighs as much as a normal 90 degrees off, eq. (6) [m]");
-  command.add_option("--chains", o.chains,
-                     "Annealing chains of the staged and the tempering search, side by side; rounded up to whole sixteens");
+  command.add_option(
+      "--chains", o.chains,
+      "Annealing chains of the staged and the tempering search, side by side; rounded up to whole sixteens");
   command.add_option("--threads", o.threads, "0: all; does not change the result");
   add_wrench_options(command, choice);
 }

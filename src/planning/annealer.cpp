@@ -257,12 +257,8 @@ void Annealer::remember(int lane, int chain) {
 
 PreGrasp Annealer::pregrasp(const HandState& state, double energy, int chain, std::int64_t iteration) const {
   const HandModel& hand = *task_.model.scene().hand;
-  return {hand_pose(hand, state),
-          state.amplitudes,
-          hand_posture(hand, task_.space, state),
-          energy,
-          number_ * n_lanes + chain,
-          iteration};
+  return {hand_pose(hand, state),    state.amplitudes, hand_posture(hand, task_.space, state), energy,
+          number_ * n_lanes + chain, iteration};
 }
 
 /// Offers the list what is held of a chain.

@@ -11,10 +11,10 @@ namespace eigengrasp {
 namespace {
 
 using kernel::n_lanes;
-constexpr std::size_t of_pack = n_lanes;     // balls of a pack
-constexpr std::size_t most_of_core = 256;    // balls that a core owns, at most 16 packs
-constexpr float never = -1e9f;               // radius of a ball that meets nothing
-constexpr double field_slack = 0.0003;       // [m] for the field's error at a centre
+constexpr std::size_t of_pack = n_lanes;   // balls of a pack
+constexpr std::size_t most_of_core = 256;  // balls that a core owns, at most 16 packs
+constexpr float never = -1e9f;             // radius of a ball that meets nothing
+constexpr double field_slack = 0.0003;     // [m] for the field's error at a centre
 
 using Balls = std::span<Sphere>;
 
@@ -27,8 +27,8 @@ void sort_along_longest_side(Balls balls) {
                    [axis](const Sphere& a, const Sphere& b) { return a.center[axis] < b.center[axis]; });
 }
 
-/// Orders balls so that neighbours stand together and cuts them into groups of at most so many, by halving; all
-/// packs but the last one of a group are full.
+/// Orders balls so that neighbours stand together and cuts them into groups of at most so many, by halving;
+/// all packs but the last one of a group are full.
 void cut(Balls balls, std::size_t most, std::vector<Balls>& groups) {
   if (balls.size() <= most) {
     groups.push_back(balls);

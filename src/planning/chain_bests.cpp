@@ -34,8 +34,7 @@ ChainBests::ChainBests(const EigengraspSpace& postures, const Distinctness& dist
       most_shift_(square(share * distinctness.position)),
       least_cosine_(static_cast<float>(std::cos(0.5 * share * distinctness.rotation))),
       // The posture moves by no more than the basis' norm times the way of the amplitudes.
-      most_amplitude_shift_(
-          square(share * distinctness.posture / std::max(postures.basis().norm(), 1e-9))) {
+      most_amplitude_shift_(square(share * distinctness.posture / std::max(postures.basis().norm(), 1e-9))) {
   iteration_.fill(-1);
 }
 

@@ -10,8 +10,8 @@
 
 namespace eigengrasp {
 
-/// Of each chain the best state about where it is now. A chain accepts many states that are much the same; only
-/// the best of them need be looked at by a PreGraspList, and only once the chain has gone elsewhere.
+/// Of each chain the best state about where it is now. A chain accepts many states that are much the same;
+/// only the best of them need be looked at by a PreGraspList, and only once the chain has gone elsewhere.
 class ChainBests {
  public:
   /// @param distinctness states that are kept back for a better one are not distinct from it

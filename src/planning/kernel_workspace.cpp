@@ -18,7 +18,8 @@ int rows_of_near(const kernel::Program& p) {
 }
 
 int rows_of(const kernel::Program& p) {
-  return 3 + 4 + p.n_amplitudes + 3 + p.n_dofs + 12 * p.n_bodies + 3 * p.n_parts + 3 * p.n_cores + rows_of_near(p) + 1;
+  return 3 + 4 + p.n_amplitudes + 3 + p.n_dofs + 12 * p.n_bodies + 3 * p.n_parts + 3 * p.n_cores +
+         rows_of_near(p) + 1;
 }
 
 }  // namespace

@@ -14,7 +14,6 @@ namespace eigengrasp {
 
 namespace {
 
-
 kernel::Transform transform_of(const Pose& X) {
   kernel::Transform t;
   for (int i = 0; i < 3; ++i) {
@@ -46,7 +45,8 @@ double add_words(const FieldGrid& grid, std::vector<std::int32_t>& words) {
   const auto layer = static_cast<std::size_t>(grid.nodes.x() * grid.nodes.y());
   for (std::size_t node = 0; node < grid.values.size(); ++node) {
     const std::size_t next = node + layer < grid.values.size() ? node + layer : node;
-    words.push_back(static_cast<std::int32_t>(rounded(node) | static_cast<std::uint32_t>(rounded(next)) << 16));
+    words.push_back(
+        static_cast<std::int32_t>(rounded(node) | static_cast<std::uint32_t>(rounded(next)) << 16));
   }
   return quantum;
 }

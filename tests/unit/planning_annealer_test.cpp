@@ -30,8 +30,8 @@ struct Walks {
         space(scene, 2),
         evaluator(model, space.postures, alpha, set) {}
 
-  Annealer annealer(std::uint64_t number, int n_chains, std::size_t capacity = 20,
-                    std::uint64_t seed = 5, bool tempered = false) const {
+  Annealer annealer(std::uint64_t number, int n_chains, std::size_t capacity = 20, std::uint64_t seed = 5,
+                    bool tempered = false) const {
     Distinctness distinct;
     distinct.approach_point_H = model.scene().hand->approach_point_H;
     return Annealer({model, energy, space, evaluator, {}, seed, false, tempered}, number, n_chains,

@@ -116,9 +116,9 @@ double median(std::vector<double> v) {
   return v[v.size() / 2];
 }
 
-// The field's rounding to sixteen bits sets the two apart where its gradient is good at all contacts: distances by
-// half a quantum, which is 0.006 mm for the 0.4 m of the coarse grid, directions by as much over a cell of 2 mm,
-// times alpha. Elsewhere GraspEnergy asks the mesh.
+// The field's rounding to sixteen bits sets the two apart where its gradient is good at all contacts:
+// distances by half a quantum, which is 0.006 mm for the 0.4 m of the coarse grid, directions by as much over
+// a cell of 2 mm, times alpha. Elsewhere GraspEnergy asks the mesh.
 TEST(StateEvaluator, PosesAndEnergyVsDoublePrecision) {
   for (const char* hand : {"human", "barrett-metal"}) {
     const CollisionModel model = fast_model(testing::shipped_scene(hand, "shoe"));

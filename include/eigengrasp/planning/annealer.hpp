@@ -57,8 +57,8 @@ VecX hand_posture(const HandModel& hand, const SearchSpace& space, const HandSta
 /// as one draw after the other; draws behind the accepted one are thrown away and do not count. Holds its own
 /// random streams and memory: annealers run in any order, on any thread.
 ///
-/// Tempered, the sixteen chains stand on a ladder of temperatures, from the schedule's last to its first; after
-/// every other step neighbours trade theirs by the Metropolis rule. Progress has no meaning then.
+/// Tempered, the sixteen chains stand on a ladder of temperatures, from the schedule's last to its first;
+/// after every other step neighbours trade theirs by the Metropolis rule. Progress has no meaning then.
 class Annealer {
  public:
   /// What annealers share; what it refers to must outlive them.
@@ -84,8 +84,8 @@ class Annealer {
   /// @param progress in [0, 1]  @param most states that may be counted
   void step(double progress, std::int64_t most);
 
-  /// All chains back to new random starts, and to their first temperatures, chain 0 to the coldest; the list of
-  /// the best stays.
+  /// All chains back to new random starts, and to their first temperatures, chain 0 to the coldest; the list
+  /// of the best stays.
   void restart();
   /// One chain to a given start.
   void restart(int chain, const HandState& state);

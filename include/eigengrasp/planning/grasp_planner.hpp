@@ -28,8 +28,8 @@ enum class SearchKind {
            ///< end
   staged,  ///< many short chains side by side; what they find is closed while the search goes on (as in
            ///< section IV-D), and pre-grasps that close are preferred
-  tempering,  ///< as staged, but the chains of a stage do not cool: they stand on a ladder of temperatures and
-              ///< trade them (parallel tempering)
+  tempering,  ///< as staged, but the chains of a stage do not cool: they stand on a ladder of temperatures
+              ///< and trade them (parallel tempering)
 };
 
 struct PlanProgress {

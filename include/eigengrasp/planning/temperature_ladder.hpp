@@ -9,9 +9,9 @@
 
 namespace eigengrasp {
 
-/// Parallel tempering (replica exchange, Swendsen and Wang 1986, Geyer 1991): each chain walks at a temperature
-/// of its own, and from time to time chains at neighbouring temperatures trade them. If every chain by itself
-/// keeps the Boltzmann distribution of its temperature, so do all together.
+/// Parallel tempering (replica exchange, Swendsen and Wang 1986, Geyer 1991): each chain walks at a
+/// temperature of its own, and from time to time chains at neighbouring temperatures trade them. If every
+/// chain by itself keeps the Boltzmann distribution of its temperature, so do all together.
 class TemperatureLadder {
  public:
   /// @param temperatures rising, all positive [energy units]; chain i begins at the ith

@@ -7,7 +7,8 @@
 /// Looking distances up for sixteen points at once.
 namespace eigengrasp::kernel {
 
-/// Points in a grid: each lane has one of its own, the fine one where that holds the point, else the coarse one.
+/// Points in a grid: each lane has one of its own, the fine one where that holds the point, else the coarse
+/// one.
 template <class B>
 struct LaneGrid {
   Vector<B> u;     ///< place of the point, in nodes
@@ -42,8 +43,8 @@ EIGENGRASP_LANES_INLINE Mask<B> inside(const GridView& g, const Vector<B>& u) {
 
 /// @param fine lanes that the fine grid holds  @param u places in the fine grid
 template <class B>
-EIGENGRASP_LANES_INLINE LaneGrid<B> choose_grid(const FieldView& field, const Vector<B>& p, const Mask<B>& fine,
-                                                const Vector<B>& u) {
+EIGENGRASP_LANES_INLINE LaneGrid<B> choose_grid(const FieldView& field, const Vector<B>& p,
+                                                const Mask<B>& fine, const Vector<B>& u) {
   const LaneGrid<B> f = grid_at(field.fine, u);
   const LaneGrid<B> c = grid_at(field.coarse, place_in(field.coarse, p));
   const auto pick = [&](const Floats<B>& a, const Floats<B>& b) { return select(fine, a, b); };

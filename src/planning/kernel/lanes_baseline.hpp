@@ -21,7 +21,9 @@ struct Baseline {
   static I load_int(const std::int32_t* p) { return *reinterpret_cast<const I*>(p); }
   static void store_int(std::int32_t* p, I a) { *reinterpret_cast<I*>(p) = a; }
   static F gather(const float* base, I i) { return F{base[i[0]], base[i[1]], base[i[2]], base[i[3]]}; }
-  static I gather_int(const std::int32_t* base, I i) { return I{base[i[0]], base[i[1]], base[i[2]], base[i[3]]}; }
+  static I gather_int(const std::int32_t* base, I i) {
+    return I{base[i[0]], base[i[1]], base[i[2]], base[i[3]]};
+  }
   static void gather_pair(const std::int32_t* base, I i, I& first, I& second) {
     first = gather_int(base, i);
     second = gather_int(base + 1, i);

@@ -24,8 +24,8 @@ struct GridView {
 };
 inline constexpr std::int32_t most_words = 1 << 24;
 
-/// A distance field: a fine grid near the surface inside of a coarse one. A node is a word: its own distance in
-/// the lower half, that of the next node along z in the upper one, both in sixteen bits with sign. So two
+/// A distance field: a fine grid near the surface inside of a coarse one. A node is a word: its own distance
+/// in the lower half, that of the next node along z in the upper one, both in sixteen bits with sign. So two
 /// words side by side hold four corners of a cell, and half of the cache lines are touched.
 struct FieldView {
   const std::int32_t* words;
