@@ -70,21 +70,10 @@ std::vector<BenchScene> named_scenes(const BenchChoice& choice) {
   std::vector<std::string> hands = choice.hands;
   if (hands.empty())
     for (const NamedModel& hand : list_hands()) hands.push_back(hand.name);
-  std::vector<std::shared_ptr<const ObjectModel>> objects;
-  for (const std::string& object : choice.objects)
-    objects.push_back(std::make_shared<ObjectModel>(load_sound_object(find_object(object), {})));
   std::vector<BenchScene> scenes;
-  for (const std::string& name : hands) {
-    HandChoice hand_choice;
-    hand_choice.name = name;
-    const auto hand = load_hand_choice(hand_choice);
-    for (const auto& object : objects) {
-      BenchScene bench{{}, paper_hand_of(hand->name)};
-      bench.scene.hand = hand;
-      bench.scene.object = object;
-      bench.scene.object_material.name = object->material;
-      scenes.push_back(std::move(bench));
-    }
+  for (Scene& scene : load_scenes(hands, choice.objects)) {
+    const auto paper_hand = paper_hand_of(scene.hand->name);
+    scenes.push_back({std::move(scene), paper_hand});
   }
   return scenes;
 }

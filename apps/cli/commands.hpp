@@ -21,6 +21,7 @@ void add_render_command(CLI::App& app);
 void add_hand_command(CLI::App& app, int& exit_code);
 void add_object_command(CLI::App& app);
 void add_bench_command(CLI::App& app, int& exit_code);
+void add_online_bench_command(CLI::App& app, int& exit_code);
 void add_reproduce_command(CLI::App& app, int& exit_code);
 void add_serve_command(CLI::App& app);
 

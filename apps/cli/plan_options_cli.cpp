@@ -34,13 +34,15 @@ void add_planner_options(CLI::App& command, PlannerChoice& choice) {
                      "What the search minimises: contact (eqs. 6, 7) or wrench (eq. 8)");
   command.add_option(
       "--search", choice.search,
-      "staged: many short chains, candidates closed on the way; paper: one plain annealing chain");
+      "staged: many short chains, candidates closed on the way; tempering: the same with chains that trade "
+      "temperatures instead of cooling; paper: one plain annealing chain");
   command.add_option("--eigengrasps", choice.amplitudes,
                      "Amplitudes to search over: a number, or 'all' degrees of freedom");
   command.add_option("--alpha", o.alpha,
                      "Length that weighs as much as a normal 90 degrees off, eq. (6) [m]");
-  command.add_option("--chains", o.chains,
-                     "Annealing chains of the staged search, side by side; rounded up to whole sixteens");
+  command.add_option(
+      "--chains", o.chains,
+      "Annealing chains of the staged and the tempering search, side by side; rounded up to whole sixteens");
   command.add_option("--threads", o.threads, "0: all; does not change the result");
   add_wrench_options(command, choice);
 }
@@ -79,8 +81,10 @@ PlanOptions understand(const PlannerChoice& choice, const HandModel& hand) {
   }
   if (choice.search == "paper") {
     o.search = SearchKind::paper;
+  } else if (choice.search == "tempering") {
+    o.search = SearchKind::tempering;
   } else if (choice.search != "staged") {
-    fail("--search is '{}', expected staged or paper", choice.search);
+    fail("--search is '{}', expected staged, tempering or paper", choice.search);
   }
   if (choice.norm == "linf") {
     o.norm = WrenchNorm::linf;

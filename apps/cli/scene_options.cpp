@@ -127,6 +127,27 @@ void set_sound_friction(Scene& scene, double friction) {
 
 }  // namespace
 
+std::vector<Scene> load_scenes(const std::vector<std::string>& hands,
+                               const std::vector<std::string>& objects) {
+  std::vector<std::shared_ptr<const ObjectModel>> models;
+  for (const std::string& object : objects)
+    models.push_back(std::make_shared<ObjectModel>(load_sound_object(find_object(object), {})));
+  std::vector<Scene> scenes;
+  for (const std::string& name : hands) {
+    HandChoice choice;
+    choice.name = name;
+    const auto hand = load_hand_choice(choice);
+    for (const auto& object : models) {
+      Scene scene;
+      scene.hand = hand;
+      scene.object = object;
+      scene.object_material.name = object->material;
+      scenes.push_back(std::move(scene));
+    }
+  }
+  return scenes;
+}
+
 Scene load_scene(const SceneChoice& choice) {
   Scene scene;
   if (!choice.world.empty()) {

@@ -44,6 +44,9 @@ void add_scene_options(CLI::App& command, SceneChoice& choice);
 /// Warnings of the readers go to stderr.
 std::shared_ptr<const HandModel> load_hand_choice(const HandChoice& choice);
 Scene load_scene(const SceneChoice& choice);
+/// Every hand with every object, each loaded once.
+std::vector<Scene> load_scenes(const std::vector<std::string>& hands,
+                               const std::vector<std::string>& objects);
 /// @throws Error where the file is bad, or none of its triangles has an area.
 ObjectModel load_sound_object(const std::filesystem::path& file, const ObjectReadOptions& options);
 

@@ -28,4 +28,11 @@ double median(std::vector<double> numbers) {
   return numbers.size() % 2 == 1 ? numbers[half] : 0.5 * (numbers[half - 1] + numbers[half]);
 }
 
+double percentile(std::vector<double> numbers, double share) {
+  if (numbers.empty()) return 0.0;
+  std::sort(numbers.begin(), numbers.end());
+  const double place = std::ceil(share * static_cast<double>(numbers.size()));
+  return numbers[static_cast<std::size_t>(std::max(place, 1.0)) - 1];
+}
+
 }  // namespace eigengrasp

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "eigengrasp/geometry/mesh_bvh.hpp"
-#include "geometry/oriented_boxes.hpp"
+#include "geometry/box_descent.hpp"
 
 namespace eigengrasp {
 
@@ -45,11 +45,10 @@ bool visit_triangles(const MeshBvh& a, const MeshBvh::Node& na, const MeshBvh& b
 }  // namespace
 
 bool intersects(const MeshBvh& a, const MeshBvh& b, const Pose& X_AB) {
-  const auto matters = [](double gap, const MeshBvh::Node&, const detail::TurnedBox&) { return gap <= 0.0; };
-  const auto bound2 = [] { return 0.0; };
+  const auto bound = [] { return 0.0; };  // and its square
   bool found = false;
-  detail::descend(a, b, X_AB, matters, [&](const MeshBvh::Node& na, const MeshBvh::Node& nb) {
-    return visit_triangles(a, na, b, nb, X_AB, bound2,
+  detail::descend(a, b, X_AB, bound, [&](const MeshBvh::Node& na, const MeshBvh::Node& nb) {
+    return visit_triangles(a, na, b, nb, X_AB, bound,
                            [&](int, const TriangleCorners& s, int, const TriangleCorners& t) {
                              return found = triangles_cross(s, t);
                            });
@@ -61,9 +60,7 @@ ClosestPair closest_pair(const MeshBvh& a, const MeshBvh& b, const Pose& X_AB, d
                          PairHint* hint) {
   ClosestPair best;
   best.distance = max_distance;
-  const auto matters = [&](double gap, const MeshBvh::Node&, const detail::TurnedBox&) {
-    return gap <= best.distance;
-  };
+  const auto bound = [&] { return best.distance; };
   const auto bound2 = [&] { return best.distance * best.distance; };
   const auto visit = [&](int ta, const TriangleCorners& s, int tb, const TriangleCorners& t) {
     if (plane_separates(s, t, best.distance)) return false;
@@ -76,7 +73,7 @@ ClosestPair closest_pair(const MeshBvh& a, const MeshBvh& b, const Pose& X_AB, d
   if (hint && hint->triangle_a >= 0)
     visit(hint->triangle_a, a.corners(hint->triangle_a), hint->triangle_b,
           posed(X_AB, b.corners(hint->triangle_b)));
-  detail::descend(a, b, X_AB, matters, [&](const MeshBvh::Node& na, const MeshBvh::Node& nb) {
+  detail::descend(a, b, X_AB, bound, [&](const MeshBvh::Node& na, const MeshBvh::Node& nb) {
     return visit_triangles(a, na, b, nb, X_AB, bound2, visit);
   });
   if (hint && best.triangle_a >= 0) *hint = {best.triangle_a, best.triangle_b};
@@ -85,11 +82,9 @@ ClosestPair closest_pair(const MeshBvh& a, const MeshBvh& b, const Pose& X_AB, d
 
 void for_each_pair_within(const MeshBvh& a, const MeshBvh& b, const Pose& X_AB, double max_distance,
                           const std::function<void(const ClosestPair&)>& visit) {
-  const auto matters = [&](double gap, const MeshBvh::Node&, const detail::TurnedBox&) {
-    return gap <= max_distance;
-  };
+  const auto bound = [&] { return max_distance; };
   const auto bound2 = [&] { return max_distance * max_distance; };
-  detail::descend(a, b, X_AB, matters, [&](const MeshBvh::Node& na, const MeshBvh::Node& nb) {
+  detail::descend(a, b, X_AB, bound, [&](const MeshBvh::Node& na, const MeshBvh::Node& nb) {
     return visit_triangles(a, na, b, nb, X_AB, bound2,
                            [&](int ta, const TriangleCorners& s, int tb, const TriangleCorners& t) {
                              if (plane_separates(s, t, max_distance)) return false;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
-#include "geometry/oriented_boxes.hpp"
-
 #include <Eigen/Eigenvalues>
+#include <algorithm>
+
+#include "eigengrasp/geometry/mesh_bvh.hpp"
 
 namespace eigengrasp {
 

@@ -3,6 +3,7 @@
 #include "eigengrasp/geometry/triangle_queries.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace eigengrasp {
@@ -56,8 +57,10 @@ Vec3 closest_point_on_triangle(const TriangleCorners& t, const Vec3& p) {
   return t.a + vb / sum * ab + vc / sum * ac;
 }
 
-double closest_points_of_segments(const Vec3& p0, const Vec3& p1, const Vec3& q0, const Vec3& q1, Vec3& on_p,
-                                  Vec3& on_q) {
+namespace {
+
+inline void closest_between_segments(const Vec3& p0, const Vec3& p1, const Vec3& q0, const Vec3& q1,
+                                     Vec3& on_p, Vec3& on_q) {
   const Vec3 u = p1 - p0;
   const Vec3 v = q1 - q0;
   const Vec3 w = p0 - q0;
@@ -86,6 +89,13 @@ double closest_points_of_segments(const Vec3& p0, const Vec3& p1, const Vec3& q0
   }
   on_p = p0 + s * u;
   on_q = q0 + t * v;
+}
+
+}  // namespace
+
+double closest_points_of_segments(const Vec3& p0, const Vec3& p1, const Vec3& q0, const Vec3& q1, Vec3& on_p,
+                                  Vec3& on_q) {
+  closest_between_segments(p0, p1, q0, q1, on_p, on_q);
   return (on_p - on_q).norm();
 }
 
@@ -162,27 +172,23 @@ double closest_points_of_triangles(const TriangleCorners& s, const TriangleCorne
     on_s = on_t = hit;
     return 0.0;
   }
-  double best = std::numeric_limits<double>::infinity();
-  for (const Vec3* p : {&s.a, &s.b, &s.c}) {
-    const Vec3 q = closest_point_on_triangle(t, *p);
-    const double d = (q - *p).norm();
-    if (d < best) best = d, on_s = *p, on_t = q;
-  }
-  for (const Vec3* p : {&t.a, &t.b, &t.c}) {
-    const Vec3 q = closest_point_on_triangle(s, *p);
-    const double d = (q - *p).norm();
-    if (d < best) best = d, on_s = q, on_t = *p;
-  }
+  double best2 = std::numeric_limits<double>::infinity();
+  const auto take = [&](const Vec3& p, const Vec3& q) {
+    const double d2 = (q - p).squaredNorm();
+    if (d2 < best2) best2 = d2, on_s = p, on_t = q;
+  };
+  for (const Vec3* p : {&s.a, &s.b, &s.c}) take(*p, closest_point_on_triangle(t, *p));
+  for (const Vec3* p : {&t.a, &t.b, &t.c}) take(closest_point_on_triangle(s, *p), *p);
   const Vec3* const cs[4] = {&s.a, &s.b, &s.c, &s.a};
   const Vec3* const ct[4] = {&t.a, &t.b, &t.c, &t.a};
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
       Vec3 p;
       Vec3 q;
-      const double d = closest_points_of_segments(*cs[i], *cs[i + 1], *ct[j], *ct[j + 1], p, q);
-      if (d < best) best = d, on_s = p, on_t = q;
+      closest_between_segments(*cs[i], *cs[i + 1], *ct[j], *ct[j + 1], p, q);
+      take(p, q);
     }
-  return best;
+  return std::sqrt(best2);
 }
 
 }  // namespace eigengrasp

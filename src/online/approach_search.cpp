@@ -14,8 +14,8 @@ namespace {
 constexpr double no_energy = 1e8;  // of a start: the first legal neighbour is taken
 /// States whose contact energy is higher by this than the chain's are not asked for eq. (8).
 constexpr double wrench_margin = 10.0;
-/// Of the polytope for eq. (8): for a neighbour, where the chain's weak directions tell most; for the state of a
-/// chain from time to time; for a candidate.
+/// Of the polytope for eq. (8): for a neighbour, where the chain's weak directions tell most; for the state
+/// of a chain from time to time; for a candidate.
 constexpr int few_expansions = 2;
 constexpr int careful_expansions = 8;
 constexpr int all_expansions = 0;
@@ -138,7 +138,8 @@ ApproachState ApproachSearch::neighbor(const Chain& chain) {
   return s;
 }
 
-/// Energy of a legal state: eq. (8) where its contacts enclose the origin, and what the operator's wishes add.
+/// Energy of a legal state: eq. (8) where its contacts enclose the origin, and what the operator's wishes
+/// add.
 double ApproachSearch::energy_of(Chain& chain, const ApproachState& state, double threshold, int expansions) {
   const HandModel& hand = *task_.model.scene().hand;
   const VecX dofs = posture(state);
@@ -153,8 +154,8 @@ void ApproachSearch::step(std::vector<PreGrasp>& candidates) {
     const auto i = static_cast<std::size_t>(c);
     Chain& chain = chains_[i];
     proposals_[i] = neighbor(chain);
-    thresholds_[i] =
-        chain.energy - acceptance_.acceptance_temperature(progress(chain)) * std::log(1.0 - random_.uniform());
+    thresholds_[i] = chain.energy -
+                     acceptance_.acceptance_temperature(progress(chain)) * std::log(1.0 - random_.uniform());
     batch_.set(c, space_.hand_state(proposals_[i]));
     batch_.set_threshold(c, std::max(thresholds_[i], chain.contact_energy + wrench_margin));
   }

@@ -48,11 +48,9 @@ void ApproachSpace::follow(const Pose& X_OW) {
   const Vec3 apex = X_OW * hand.approach_point_H;
   const double behind = (object.center_of_mass - apex).norm() + object.max_radius;
   const double farthest = std::min(look_ahead_, behind);
-  const auto range = [](double low, double high) {
-    return Range{low, high, largest_jump * (high - low)};
-  };
-  ranges_.assign({range(-step_back_, farthest), range(-half_angle_, half_angle_),
-                  range(-half_angle_, half_angle_)});
+  const auto range = [](double low, double high) { return Range{low, high, largest_jump * (high - low)}; };
+  ranges_.assign(
+      {range(-step_back_, farthest), range(-half_angle_, half_angle_), range(-half_angle_, half_angle_)});
   for (int i = 0; i < n_amplitudes_; ++i) ranges_.push_back(range(postures_[i].min, postures_[i].max));
   narrow_ranges();
 }
@@ -122,8 +120,8 @@ HandState ApproachSpace::hand_state(const ApproachState& state) const {
   const Vec3 towards_H = state.lean[0] * across_[0] + state.lean[1] * across_[1];
   const Vec3 turn_H = hand.approach_direction_H.cross(towards_H);
   const double theta = turn_H.norm();
-  const Eigen::Quaterniond lean =
-      theta > 0.0 ? Eigen::Quaterniond(Eigen::AngleAxisd(theta, turn_H / theta)) : Eigen::Quaterniond::Identity();
+  const Eigen::Quaterniond lean = theta > 0.0 ? Eigen::Quaterniond(Eigen::AngleAxisd(theta, turn_H / theta))
+                                              : Eigen::Quaterniond::Identity();
   HandState hand_state;
   hand_state.q_OA = (orientation(X_OW_) * lean).normalized();
   hand_state.p_OA =

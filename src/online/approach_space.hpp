@@ -54,7 +54,8 @@ class ApproachSpace {
   void clamp(ApproachState& state) const;
 
   HandState hand_state(const ApproachState& state) const;
-  /// The state as seen from a wrist that has moved on: what it gained along the axis is taken off the distance.
+  /// The state as seen from a wrist that has moved on: what it gained along the axis is taken off the
+  /// distance.
   void move_on(ApproachState& state, const Pose& X_OW_before) const;
 
   const Pose& wrist() const { return X_OW_; }

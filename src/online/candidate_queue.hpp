@@ -27,8 +27,8 @@ class CandidateQueue {
   void clear(bool tested);
 
  private:
-  static constexpr std::size_t memory = 256;     ///< tested ones that are remembered
-  static constexpr double much_better = 10.0;    ///< [energy units]
+  static constexpr std::size_t memory = 256;   ///< tested ones that are remembered
+  static constexpr double much_better = 10.0;  ///< [energy units]
 
   PreGraspList waiting_;
   Distinctness distinct_;

@@ -72,7 +72,8 @@ void check_targets(const std::vector<VariableTarget>& targets, const HandModel& 
     if (!std::isfinite(t.value))
       throw Error(fmt::format("target of {} {}: the value is not finite", name, t.index));
     if (!(t.confidence >= 0.0 && t.confidence <= 1.0))
-      throw Error(fmt::format("target of {} {}: confidence is {}, expected 0 to 1", name, t.index, t.confidence));
+      throw Error(
+          fmt::format("target of {} {}: confidence is {}, expected 0 to 1", name, t.index, t.confidence));
   }
 }
 

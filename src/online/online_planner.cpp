@@ -34,7 +34,9 @@ OnlinePlanner::OnlinePlanner(std::shared_ptr<const CollisionModel> model, const 
 
 OnlinePlanner::~OnlinePlanner() = default;
 
-WristTrack::Taken OnlinePlanner::set_wrist(const WristSample& sample) { return work_->set_wrist(sample); }
+WristTrack::Taken OnlinePlanner::set_wrist(const WristSample& sample) {
+  return work_->set_wrist(sample);
+}
 
 void OnlinePlanner::set_targets(std::vector<VariableTarget> targets) {
   check_targets(targets, *scene().hand, options().amplitudes);
@@ -55,9 +57,17 @@ std::optional<Grasp> OnlinePlanner::command(OperatorCommand command) {
   return std::nullopt;
 }
 
-OnlineView OnlinePlanner::update() { return work_->update(); }
-std::optional<Grasp> OnlinePlanner::solution(std::uint64_t id) const { return work_->solution(id); }
-const Scene& OnlinePlanner::scene() const { return work_->scene(); }
-const OnlineOptions& OnlinePlanner::options() const { return work_->options(); }
+OnlineView OnlinePlanner::update() {
+  return work_->update();
+}
+std::optional<Grasp> OnlinePlanner::solution(std::uint64_t id) const {
+  return work_->solution(id);
+}
+const Scene& OnlinePlanner::scene() const {
+  return work_->scene();
+}
+const OnlineOptions& OnlinePlanner::options() const {
+  return work_->options();
+}
 
 }  // namespace eigengrasp

@@ -11,11 +11,11 @@ namespace eigengrasp {
 
 namespace {
 
-constexpr int steps_at_a_time = 8;       // of all chains, between two looks at what has changed
-constexpr double palm_approach = 0.030;  // [m], see test_pregrasp
-constexpr double new_direction = 0.35;   // [rad] the wrist has turned: a new approach
-constexpr double new_line = 0.05;        // [m] the wrist has moved sideways: a new approach
-constexpr double ask_again = 0.05;       // [s] between two tests of the hand as it is shown
+constexpr int steps_at_a_time = 8;        // of all chains, between two looks at what has changed
+constexpr double palm_approach = 0.030;   // [m], see test_pregrasp
+constexpr double new_direction = 0.35;    // [rad] the wrist has turned: a new approach
+constexpr double new_line = 0.05;         // [m] the wrist has moved sideways: a new approach
+constexpr double ask_again = 0.05;        // [s] between two tests of the hand as it is shown
 constexpr std::size_t most_postures = 4;  // that "close" tries
 
 PlanOptions energy_options(const OnlineOptions& options) {
@@ -163,8 +163,8 @@ void OnlinePlanner::Work::keep(const Grasp& found) {
     rates_.time_to_first_grasp = now - approach_began_;
 }
 
-/// The best that closing the hand at a wrist pose comes to, over some postures that are free there; none where
-/// nothing is touched.
+/// The best that closing the hand at a wrist pose comes to, over some postures that are free there; none
+/// where nothing is touched.
 std::optional<Grasp> OnlinePlanner::Work::grasp_now(const Pose& X_OH,
                                                     const std::vector<VecX>& postures) const {
   std::optional<Grasp> best;

@@ -22,8 +22,8 @@ namespace eigengrasp {
 /// @throws Error where a target names a variable that there is not, or no finite value, or no confidence
 void check_targets(const std::vector<VariableTarget>& targets, const HandModel& hand, int n_amplitudes);
 
-/// The two stages of the online planner at work. The search has a thread, the tests have one or more; they and
-/// the callers meet in what mutex_ guards, which none holds for longer than it takes to copy.
+/// The two stages of the online planner at work. The search has a thread, the tests have one or more; they
+/// and the callers meet in what mutex_ guards, which none holds for longer than it takes to copy.
 class OnlinePlanner::Work {
  public:
   Work(std::shared_ptr<const CollisionModel> model, const OnlineOptions& options);

@@ -10,11 +10,11 @@ namespace eigengrasp {
 
 namespace {
 
-constexpr double finger_speed = 4.0;        // [rad/s or m/s], of a degree of freedom
-constexpr double turn_as_distance = 0.10;   // [m/rad] a turn that is to come counts as that much way
-constexpr double full_preshape = 0.02;      // [m] the posture is reached that much before the pre-grasp
-constexpr int halvings = 3;                 // of a way that is not free as a whole
-constexpr double start_step = 0.01;         // [m] by which a hand that starts in collision is drawn back
+constexpr double finger_speed = 4.0;       // [rad/s or m/s], of a degree of freedom
+constexpr double turn_as_distance = 0.10;  // [m/rad] a turn that is to come counts as that much way
+constexpr double full_preshape = 0.02;     // [m] the posture is reached that much before the pre-grasp
+constexpr int halvings = 3;                // of a way that is not free as a whole
+constexpr double start_step = 0.01;        // [m] by which a hand that starts in collision is drawn back
 constexpr int most_start_steps = 40;
 
 Pose between(const Pose& a, const Pose& b, double share) {

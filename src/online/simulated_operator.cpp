@@ -26,7 +26,9 @@ Eigen::Quaterniond turn(const Vec3& rotation_vector) {
 }
 
 /// The share of a turn by `angle` that a step allows.
-double share_of(double angle, double most) { return angle > most ? most / angle : 1.0; }
+double share_of(double angle, double most) {
+  return angle > most ? most / angle : 1.0;
+}
 
 }  // namespace
 
@@ -163,9 +165,11 @@ void SimulatedOperator::move_around(double seconds) {
 /// What the tracker would read of the hand that trembles.
 Pose SimulatedOperator::shaken() {
   double wave[6];
-  for (int i = 0; i < 6; ++i) wave[i] = std::sin(2.0 * std::numbers::pi * (shake_hertz[i] * time_ + 0.17 * i));
+  for (int i = 0; i < 6; ++i)
+    wave[i] = std::sin(2.0 * std::numbers::pi * (shake_hertz[i] * time_ + 0.17 * i));
   const Vec3 shift = traits_.tremor * Vec3(wave[0], wave[1], wave[2]) + noise(traits_.tracker_noise);
-  const Vec3 turned = traits_.tremor_turn * Vec3(wave[3], wave[4], wave[5]) + noise(traits_.tracker_turn_noise);
+  const Vec3 turned =
+      traits_.tremor_turn * Vec3(wave[3], wave[4], wave[5]) + noise(traits_.tracker_turn_noise);
   return make_pose(orientation(X_OW_) * turn(turned), X_OW_.translation() + shift);
 }
 

@@ -14,10 +14,10 @@ namespace {
 
 constexpr double keep_out_of_reach = 2.0;  // [s]
 constexpr double least_offer = 0.4;        // [s] an offer stands at least that long while it is in reach
-constexpr double beside = 0.10;            // [m] a grasp that much sideways and no farther on leans 45 degrees
-constexpr double wider = 1.25;             // reach goes that much beyond the cone that is searched
-constexpr double slack = 0.02;             // [m] and that much beyond its ends
-constexpr double angle_class = 0.1745;     // [rad] within it quality decides
+constexpr double beside = 0.10;         // [m] a grasp that much sideways and no farther on leans 45 degrees
+constexpr double wider = 1.25;          // reach goes that much beyond the cone that is searched
+constexpr double slack = 0.02;          // [m] and that much beyond its ends
+constexpr double angle_class = 0.1745;  // [rad] within it quality decides
 constexpr double clearly_nearer = 0.1222;  // [rad]
 constexpr double clearly_stronger = 1.25;
 
@@ -50,8 +50,8 @@ void SolutionList::add(const Grasp& grasp, const Pose& X_OW, double now) {
   }
   solutions_.push_back({next_id_++, grasp, now, now});
   if (solutions_.size() <= options_.solutions) return;
-  const auto farthest = std::max_element(
-      solutions_.begin(), solutions_.end(), [&](const Solution& a, const Solution& b) {
+  const auto farthest =
+      std::max_element(solutions_.begin(), solutions_.end(), [&](const Solution& a, const Solution& b) {
         if ((a.id == offered_) != (b.id == offered_)) return a.id == offered_;
         return ranks_before(seen_from(a, X_OW, now), seen_from(b, X_OW, now));
       });
@@ -84,8 +84,7 @@ void SolutionList::update(const Pose& X_OW, double now) {
     if (!best || ranks_before(seen, *best)) best = seen;
   }
   std::erase_if(solutions_, [&](const Solution& s) { return now - s.in_reach > keep_out_of_reach; });
-  const bool stays =
-      last && best && (now - offered_since_ < least_offer || !clearly_better(*best, *last));
+  const bool stays = last && best && (now - offered_since_ < least_offer || !clearly_better(*best, *last));
   if (stays) return;
   const std::uint64_t chosen = best ? best->id : 0;
   if (chosen != offered_) offered_since_ = now;

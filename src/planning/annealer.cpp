@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "eigengrasp/kinematics/forward_kinematics.hpp"
+#include "eigengrasp/planning/temperature_ladder.hpp"
+#include "planning/chain_bests.hpp"
 #include "planning/kernel_workspace.hpp"
 #include "planning/lane_state.hpp"
 
@@ -36,6 +39,7 @@ VecX hand_posture(const HandModel& hand, const SearchSpace& space, const HandSta
 namespace {
 
 constexpr int n_lanes = kernel::n_lanes;
+constexpr int steps_between_exchanges = 2;
 constexpr float no_energy = 1e8f;  ///< of a start: the first legal neighbour is taken
 
 kernel::SearchBox search_box(const SearchSpace& space, std::vector<kernel::Range>& ranges) {
@@ -59,8 +63,22 @@ kernel::SearchBox search_box(const SearchSpace& space, std::vector<kernel::Range
 }  // namespace
 
 struct Annealer::Lanes {
-  explicit Lanes(const Task& task)
-      : batch(task.evaluator), memory(task.space.postures.size()), box(search_box(task.space, ranges)) {}
+  Lanes(const Task& task, const Distinctness& distinctness)
+      : batch(task.evaluator),
+        memory(task.space.postures.size()),
+        bests(task.space.postures, distinctness),
+        box(search_box(task.space, ranges)) {}
+
+  void raise_ladder(const Task& task, std::uint64_t number) {
+    std::vector<double> acceptance;
+    for (int rung = 0; rung < n_lanes; ++rung) {
+      const double progress = 1.0 - rung / (n_lanes - 1.0);
+      jump_temperatures.push_back(task.schedule.temperature(progress));
+      acceptance.push_back(task.schedule.acceptance_temperature(progress));
+    }
+    constexpr std::uint64_t exchanges = 1;  // the annealer's own stream has a key of two numbers
+    ladder.emplace(std::move(acceptance), RandomStream{task.seed, number, exchanges});
+  }
 
   StateRows proposals() const {
     const kernel::Workspace& work = batch.memory_->work();
@@ -73,8 +91,12 @@ struct Annealer::Lanes {
 
   StateEvaluator::Batch batch;
   KernelChains memory;
+  ChainBests bests;
   std::vector<kernel::Range> ranges;
   kernel::SearchBox box;
+  std::optional<TemperatureLadder> ladder;  ///< of acceptance
+  std::vector<double> jump_temperatures;    ///< of its rungs
+  int steps = 0;                            ///< on it
   std::vector<ContactApproach> approaches;
   std::vector<Pose> X_OL;
 };
@@ -85,9 +107,10 @@ Annealer::Annealer(const Task& task, std::uint64_t number, int n_chains, PreGras
       number_(static_cast<int>(number)),
       list_(std::move(list)),
       random_({task.seed, number}),
-      lanes_(std::make_unique<Lanes>(task)) {
+      lanes_(std::make_unique<Lanes>(task, list_.distinctness())) {
   for (int i = 0; i < 4 * n_lanes; ++i)
     lanes_->memory.chains().random[i] = static_cast<std::int32_t>(random_() >> 32);
+  if (task.tempered) lanes_->raise_ladder(task, number);
   restart();
 }
 
@@ -95,6 +118,7 @@ Annealer::~Annealer() = default;
 Annealer::Annealer(Annealer&&) noexcept = default;
 
 void Annealer::restart() {
+  if (lanes_->ladder) lanes_->ladder->reset();
   for (int c = 0; c < n_chains_; ++c) restart(c, random_state());
 }
 
@@ -126,10 +150,27 @@ void Annealer::set_temperatures(double progress) {
               static_cast<float>(task_.schedule.acceptance_temperature(progress)));
 }
 
+/// Each lane at the temperature of its chain, after chains have traded theirs.
+void Annealer::temper() {
+  const kernel::Chains& chains = lanes_->memory.chains();
+  TemperatureLadder& ladder = *lanes_->ladder;
+  if (++lanes_->steps % steps_between_exchanges == 0) ladder.exchange(chains.energy);
+  for (int chain = 0; chain < n_lanes; ++chain) {
+    const double t = lanes_->jump_temperatures[static_cast<std::size_t>(ladder.rung(chain))];
+    chains.jump_temperature[chain] = static_cast<float>(t);
+    chains.log_range[chain] = static_cast<float>(std::log1p(1.0 / t));
+    chains.acceptance_temperature[chain] = static_cast<float>(ladder.temperature(chain));
+  }
+}
+
 void Annealer::step(double progress, std::int64_t most) {
   const kernel::Workspace& work = lanes_->batch.memory_->work();
   const kernel::Chains& chains = lanes_->memory.chains();
-  set_temperatures(progress);
+  if (lanes_->ladder) {
+    temper();
+  } else {
+    set_temperatures(progress);
+  }
   task_.evaluator.functions_->propose(lanes_->box, chains, work);
   if (task_.judge_all || task_.energy.kind() == EnergyKind::wrench) {
     judge_in_full();
@@ -147,7 +188,7 @@ void Annealer::step(double progress, std::int64_t most) {
         copy_lane(lanes_->proposals(), lane, lanes_->current(), k, task_.space.postures.size());
         chains.energy[k] = work.energy[lane];
       }
-      remember(lane);
+      remember(lane, first / each);
       break;
     }
 }
@@ -193,19 +234,45 @@ void Annealer::count(StateEvaluator::Verdict verdict) {
   }
 }
 
-void Annealer::remember(int lane) {
-  const double energy = lanes_->batch.energy(lane);
-  const bool record = energy < best_energy_;
-  if (!record && !list_.admits(energy)) return;
-  const HandModel& hand = *task_.model.scene().hand;
-  const HandState state = lanes_->batch.state(lane);
-  PreGrasp found{hand_pose(hand, state),   state.amplitudes, hand_posture(hand, task_.space, state), energy,
-                 number_ * n_lanes + lane, counts_.evaluated};
-  if (record) {
+void Annealer::remember(int lane, int chain) {
+  const float energy = lanes_->batch.memory_->work().energy[lane];
+  if (energy < best_energy_) {
     best_energy_ = energy;
-    milestones_.push_back({counts_.evaluated, energy, found.X_OH, found.dofs});
+    const PreGrasp found = pregrasp(lanes_->batch.state(lane), energy, chain, counts_.evaluated);
+    milestones_.push_back({counts_.evaluated, best_energy_, found.X_OH, found.dofs});
   }
-  if (list_.admits(energy)) list_.add(std::move(found));
+  ChainBests& bests = lanes_->bests;
+  if (bests.holds(chain)) {
+    const bool near = bests.near(chain, lanes_->proposals(), lane);
+    if (near && bests.energy(chain) <= energy) return;
+    if (!near) settle(chain);
+  }
+  bests.hold(chain, lanes_->proposals(), lane, energy, counts_.evaluated);
+}
+
+PreGrasp Annealer::pregrasp(const HandState& state, double energy, int chain, std::int64_t iteration) const {
+  const HandModel& hand = *task_.model.scene().hand;
+  return {hand_pose(hand, state),    state.amplitudes, hand_posture(hand, task_.space, state), energy,
+          number_ * n_lanes + chain, iteration};
+}
+
+/// Offers the list what is held of a chain.
+void Annealer::settle(int chain) {
+  ChainBests& bests = lanes_->bests;
+  const double energy = bests.energy(chain);
+  if (list_.admits(energy)) list_.add(pregrasp(bests.state(chain), energy, chain, bests.iteration(chain)));
+  bests.drop(chain);
+}
+
+const PreGraspList& Annealer::best() {
+  for (int chain = 0; chain < n_chains_; ++chain)
+    if (lanes_->bests.holds(chain)) settle(chain);
+  return list_;
+}
+
+void Annealer::forget() {
+  for (int chain = 0; chain < n_chains_; ++chain) lanes_->bests.drop(chain);
+  list_.clear();
 }
 
 }  // namespace eigengrasp

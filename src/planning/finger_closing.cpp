@@ -21,13 +21,26 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 struct Pair {
   enum class Kind { object, obstacle, links } kind;
   int link;
-  int other;                ///< obstacle or second link
-  double free_until = 0.0;  ///< time up to which the two are sure to be apart [s]
-  PairHint hint = {};
+  int other;       ///< obstacle or second link
+  int number = 0;  ///< in the list of all
+  SeparationFront front = {};
   int first_joint = 0;  ///< of the joints that move the other surface, then the link, in the list of all
   int first_of_link = 0;
   int end_joint = 0;
 };
+
+/// Index of the least value, of the first where there are several; in a form for vector registers.
+std::size_t first_of_least(const std::vector<double>& values) {
+  constexpr std::size_t width = 8;
+  double least[width];
+  std::fill(least, least + width, infinity);
+  std::size_t i = 0;
+  for (; i + width <= values.size(); i += width)
+    for (std::size_t k = 0; k < width; ++k) least[k] = values[i + k] < least[k] ? values[i + k] : least[k];
+  for (; i < values.size(); ++i) least[0] = std::min(least[0], values[i]);
+  const auto found = std::find(values.begin(), values.end(), *std::min_element(least, least + width));
+  return static_cast<std::size_t>(found - values.begin());
+}
 
 /// A joint that moves one surface of a pair and not the other; each surface's from the base outwards.
 struct PairJoint {
@@ -65,13 +78,12 @@ class FingerCloser {
   /// Time at which the hand is closed.
   double close(int& steps) {
     while (!pairs_.empty()) {
-      Pair& next = *std::min_element(pairs_.begin(), pairs_.end(), [](const Pair& a, const Pair& b) {
-        return a.free_until < b.free_until;
-      });
-      const double t = next.free_until;
+      const std::size_t soonest = first_of_least(free_until_);
+      const double t = free_until_[soonest];
       if (!(t < motion_.end())) break;
       if (steps == options_.max_steps) return t;
       ++steps;
+      Pair& next = pairs_[soonest];
       if (look(next, t, options_.contact_gap).distance > options_.contact_gap) continue;
       // Where they touch, either the motion presses, or they slide as far as that is free.
       if (presses(next, t) || look(next, t).time < least_progress * tick_) stop(next, t);
@@ -111,7 +123,9 @@ class FingerCloser {
     p.first_of_link = static_cast<int>(pair_joints_.size());
     add_branch(common, p.link);
     p.end_joint = static_cast<int>(pair_joints_.size());
+    p.number = static_cast<int>(pairs_.size());
     pairs_.push_back(p);
+    free_until_.push_back(0.0);
   }
 
   /// The joints that move between a link and one further up.
@@ -191,30 +205,29 @@ class FingerCloser {
   FreeTime look(Pair& p, double t, double touching = -1.0) {
     const SurfaceMotion motion = motion_of(p, t);
     FreeTime free{infinity, infinity};
+    double& free_until = free_until_[static_cast<std::size_t>(p.number)];
+    free_until = infinity;
     if (t == 0.0 || !motion.still()) {
-      free.time = rough_time(p, motion, t);
-      if (free.time < tick_) free = time_of_surfaces(p, motion, t, touching);
+      const double horizon = horizon_of(p, motion, t);
+      if (p.kind == Pair::Kind::links) free.time = time_of_bounds(p, motion, t);
+      if (p.kind == Pair::Kind::links && free.time >= horizon) {
+        free_until = t + free.time;
+      } else {
+        free = time_of_surfaces(p, motion, t, horizon, touching);
+        free_until = p.front.free_until();
+      }
     }
-    p.free_until = t + free.time;
     // Pairs that are looked at together share the poses.
-    if (free.time > tick_) p.free_until = std::floor(p.free_until / tick_) * tick_;
+    if (free_until > t + tick_) free_until = std::floor(free_until / tick_) * tick_;
     return free;
   }
 
   double margin() const { return 0.5 * options_.contact_gap; }
 
-  /// Free time of the object's field and parts of the link, or of balls and boxes about two links.
-  double rough_time(const Pair& p, const SurfaceMotion& motion, double t) {
-    if (p.kind == Pair::Kind::links) {
-      const double time = time_of_bounds(p, motion, t);
-      return time >= tick_ ? time
-                           : compute_rough_free_time(surface(p.other).bvh, motion_.pose(p.other, t),
-                                                     surface(p.link).bvh, motion_.pose(p.link, t), motion,
-                                                     margin(), horizon_ticks * tick_);
-    }
-    if (p.kind == Pair::Kind::obstacle || model_.object_field().empty()) return 0.0;
-    return compute_rough_free_time(model_.object_field(), surface(p.link).bvh, motion_.pose(p.link, t),
-                                   motion, margin(), infinity);
+  /// For how long a look is worth its cost.
+  double horizon_of(const Pair& p, const SurfaceMotion& motion, double t) {
+    return std::min(time_to_close(look_ahead, speed(p, motion, t), motion.acceleration),
+                    horizon_ticks * tick_);
   }
 
   double time_of_bounds(const Pair& p, const SurfaceMotion& motion, double t) {
@@ -234,20 +247,19 @@ class FingerCloser {
     return time_to_close(gap, rate, motion.acceleration);
   }
 
-  FreeTime time_of_surfaces(Pair& p, const SurfaceMotion& motion, double t, double touching) {
+  FreeTime time_of_surfaces(Pair& p, const SurfaceMotion& motion, double t, double horizon, double touching) {
     const Pose& X_OL = motion_.pose(p.link, t);
-    const double horizon =
-        std::min(time_to_close(look_ahead, speed(p, motion, t), motion.acceleration), horizon_ticks * tick_);
+    const MeshBvh& link = surface(p.link).bvh;
     if (p.kind == Pair::Kind::object)
-      return compute_free_time(other_surface(p), surface(p.link).bvh, X_OL, motion, margin(), horizon,
-                               &p.hint, model_.object_field(), touching);
+      return p.front.look(other_surface(p), link, X_OL, motion, t, margin(), horizon, model_.object_field(),
+                          touching);
     const Pose X_OS = other_pose(p, t);
     const Mat3 R_SO = X_OS.linear().transpose();
     for (std::vector<Screw>* screws :
          {&screws_a_, &screws_b_})  // those of the motion, in the surface's frame
       for (Screw& s : *screws) s = {R_SO * s.angular, R_SO * s.velocity(X_OS.translation())};
-    return compute_free_time(other_surface(p), surface(p.link).bvh, X_OS.inverse() * X_OL, motion, margin(),
-                             horizon, &p.hint, {}, touching);
+    return p.front.look(other_surface(p), link, X_OS.inverse() * X_OL, motion, t, margin(), horizon, {},
+                        touching);
   }
 
   /// Bound of the speed at which points of the two come together [m/s].
@@ -277,7 +289,8 @@ class FingerCloser {
     const double reach = 1.2 * options_.contact_gap;
     const MeshBvh& link = surface(p.link).bvh;
     // Mostly the triangles that were seen to touch tell.
-    return std::ranges::any_of(find_touch_points(other_surface(p), link, X_SL, reach, p.hint), pressed) ||
+    return std::ranges::any_of(find_touch_points(other_surface(p), link, X_SL, reach, p.front.nearest()),
+                               pressed) ||
            std::ranges::any_of(find_touch_points(other_surface(p), link, X_SL, reach), pressed);
   }
 
@@ -285,11 +298,11 @@ class FingerCloser {
   void stop(Pair& p, double t) {
     for (int k = p.first_joint; k < p.end_joint; ++k)
       motion_.stop(pair_joints_[static_cast<std::size_t>(k)].joint, t);
-    p.free_until = infinity;
+    free_until_[static_cast<std::size_t>(p.number)] = infinity;
   }
 
   static constexpr double tick_turn = 0.05;    // [rad or m] of the fastest joint
-  static constexpr double look_ahead = 0.004;  // [m] of motion: further is dear to search
+  static constexpr double look_ahead = 0.002;  // [m] of motion: further is dear to search
   static constexpr double horizon_ticks = 4.0;
   static constexpr double least_progress = 1e-5;  // ticks: a slide that gets no further ends
 
@@ -301,6 +314,7 @@ class FingerCloser {
   double tick_ = infinity;
   std::vector<double> length_to_;  ///< of the straightened chain from the base to each link [m]
   std::vector<Pair> pairs_;
+  std::vector<double> free_until_;  ///< of each pair, time up to which the two are sure to be apart [s]
   std::vector<PairJoint> pair_joints_;
   std::vector<Screw> screws_a_;
   std::vector<Screw> screws_b_;

@@ -74,8 +74,14 @@ PlanResult plan_grasps(const CollisionModel& model, const PlanOptions& options) 
 
   // Search eigengrasp space and wrist pose for pre-grasps; close the fingers of the best ones.
   PlanBudget budget(options);
-  const Annealer::Task task{model,        energy,           space, evaluator, AnnealingSchedule{},
-                            options.seed, options.judge_all};
+  const Annealer::Task task{model,
+                            energy,
+                            space,
+                            evaluator,
+                            AnnealingSchedule{},
+                            options.seed,
+                            options.judge_all,
+                            options.search == SearchKind::tempering};
   SearchResult found = options.search == SearchKind::paper ? search_as_the_paper(task, options, budget)
                                                            : search_in_stages(task, options, budget);
   result.stopped_early = budget.ended_early();

@@ -20,10 +20,12 @@ bool Harvest::is_new(const PreGrasp& p) const {
                       [&](const PreGrasp& other) { return distinct_.between(p, other) < 1.0; });
 }
 
-void Harvest::gather(const std::vector<Annealer>& annealers, std::size_t most) {
+void Harvest::gather(std::vector<Annealer>& annealers, std::size_t most) {
   std::vector<PreGrasp> pool;
-  for (const Annealer& a : annealers)
-    pool.insert(pool.end(), a.best().items().begin(), a.best().items().end());
+  for (Annealer& a : annealers) {
+    const std::vector<PreGrasp>& best = a.best().items();
+    pool.insert(pool.end(), best.begin(), best.end());
+  }
   std::stable_sort(pool.begin(), pool.end(),
                    [](const PreGrasp& a, const PreGrasp& b) { return a.energy < b.energy; });
   const std::size_t n_seen = seen_.size();

@@ -14,7 +14,7 @@ class Harvest {
   Harvest(const Annealer::Task& task, const PlanOptions& options);
 
   /// Closes the best pre-grasps of the annealers' lists that are unlike all that were closed before.
-  void gather(const std::vector<Annealer>& annealers, std::size_t most);
+  void gather(std::vector<Annealer>& annealers, std::size_t most);
 
   /// Those that close to form closure.
   std::size_t n_closed() const { return closed_.size(); }

@@ -12,8 +12,14 @@ namespace {
 
 constexpr std::align_val_t cache_line{64};
 
+/// A word for sixteen cores, sixteen words a row.
+int rows_of_near(const kernel::Program& p) {
+  return (p.n_cores + 255) / 256;
+}
+
 int rows_of(const kernel::Program& p) {
-  return 3 + 4 + p.n_amplitudes + 3 + p.n_dofs + 12 * p.n_bodies + 3 * p.n_parts + p.n_parts + 1;
+  return 3 + 4 + p.n_amplitudes + 3 + p.n_dofs + 12 * p.n_bodies + 3 * p.n_parts + 3 * p.n_cores +
+         rows_of_near(p) + 1;
 }
 
 }  // namespace
@@ -43,7 +49,8 @@ KernelWorkspace::KernelWorkspace(const kernel::Program& p) : rows_(rows_of(p)) {
   work_.dofs = rows_.take(p.n_dofs);
   work_.poses = rows_.take(12 * p.n_bodies);
   work_.centers = rows_.take(3 * p.n_parts);
-  work_.unsure = reinterpret_cast<std::uint32_t*>(rows_.take(p.n_parts));
+  work_.cores = rows_.take(3 * p.n_cores);
+  work_.near = reinterpret_cast<std::uint32_t*>(rows_.take(rows_of_near(p)));
   work_.row = rows_.take(1);
   std::fill_n(work_.quaternion, kernel::n_lanes, 1.0f);
   std::fill_n(work_.threshold, kernel::n_lanes, std::numeric_limits<float>::infinity());

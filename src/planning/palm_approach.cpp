@@ -14,9 +14,8 @@ namespace {
 /// A link and what it may run into.
 struct Course {
   int link;
-  int obstacle;           ///< -1: the object
-  double free_until = 0;  ///< travel [m] up to which the two are known to be apart
-  PairHint hint = {};
+  int obstacle;  ///< -1: the object
+  SeparationFront front = {};
 };
 
 std::vector<Course> list_courses(const CollisionModel& model) {
@@ -35,9 +34,9 @@ Pose shifted(const Pose& X, const Vec3& by) {
   return moved;
 }
 
-/// How far the link, posed at X_OL, is free to move along the direction.
-FreeTime look(const CollisionModel& model, Course& course, const Pose& X_OL, const Vec3& direction_O,
-              double margin) {
+/// How far the link, posed at X_OL after so much travel, is free to move along the direction.
+FreeTime look(const CollisionModel& model, Course& course, const Pose& X_OL, double travel,
+              const Vec3& direction_O, double margin) {
   constexpr double look_ahead = 0.010;  // [m]
   const Scene& scene = model.scene();
   const bool is_object = course.obstacle < 0;
@@ -49,13 +48,8 @@ FreeTime look(const CollisionModel& model, Course& course, const Pose& X_OL, con
   const Pose X_SL = X_OS.inverse() * X_OL;
   const Screw screw{Vec3::Zero(), X_OS.linear().transpose() * direction_O};
   const SurfaceMotion motion{{}, {&screw, 1}, 0.0};
-  const DistanceField none;
-  const DistanceField& field = is_object ? model.object_field() : none;
-  if (!field.empty()) {
-    const double rough = compute_rough_free_time(field, link, X_SL, motion, margin, 1.0);
-    if (rough > look_ahead) return {rough};
-  }
-  return compute_free_time(solid, link, X_SL, motion, margin, look_ahead, &course.hint, field);
+  return course.front.look(solid, link, X_SL, motion, travel, margin, look_ahead,
+                           is_object ? model.object_field() : DistanceField{});
 }
 
 }  // namespace
@@ -73,17 +67,16 @@ PalmApproach approach_until_contact(const CollisionModel& model, const Pose& X_O
   result.travel = max_travel;
   while (!courses.empty()) {
     Course& next = *std::min_element(courses.begin(), courses.end(), [](const Course& a, const Course& b) {
-      return a.free_until < b.free_until;
+      return a.front.free_until() < b.front.free_until();
     });
-    if (next.free_until >= max_travel) break;
-    const Pose X = shifted(X_OL[static_cast<std::size_t>(next.link)], next.free_until * direction_O);
-    const FreeTime free = look(model, next, X, direction_O, 0.5 * contact_gap);
-    if (free.distance <= contact_gap) {
-      result.travel = next.free_until;
+    const double travel = next.front.free_until();
+    if (travel >= max_travel) break;
+    const Pose X = shifted(X_OL[static_cast<std::size_t>(next.link)], travel * direction_O);
+    if (look(model, next, X, travel, direction_O, 0.5 * contact_gap).distance <= contact_gap) {
+      result.travel = travel;
       result.touches = true;
       break;
     }
-    next.free_until += free.time;
   }
   result.X_OH = shifted(X_OH, result.travel * direction_O);
   return result;

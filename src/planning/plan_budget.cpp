@@ -34,8 +34,8 @@ bool PlanBudget::go_on(int worker, std::int64_t newly_done, const Annealer& anne
   if (options_.milestone) tell_of_milestone(done, annealer);
   if (worker == 0 && options_.progress && now > next_report_) {
     next_report_ = now + 0.1;
-    const auto& best = annealer.best().items();
-    options_.progress({done, options_.iterations, now, best.empty() ? 0.0 : best.front().energy});
+    const double best = annealer.milestones().empty() ? 0.0 : annealer.best_energy();
+    options_.progress({done, options_.iterations, now, best});
   }
   return true;
 }

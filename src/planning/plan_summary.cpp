@@ -7,8 +7,10 @@
 namespace eigengrasp {
 
 std::string planner_name(const PlanOptions& options) {
-  return fmt::format("{}/{}", options.search == SearchKind::paper ? "annealing" : "staged",
-                     options.energy == EnergyKind::wrench ? "wrench" : "contact");
+  const char* const search = options.search == SearchKind::paper    ? "annealing"
+                             : options.search == SearchKind::staged ? "staged"
+                                                                    : "tempering";
+  return fmt::format("{}/{}", search, options.energy == EnergyKind::wrench ? "wrench" : "contact");
 }
 
 std::string options_digest(const PlanOptions& options) {

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: The eigengrasp authors
 #include <algorithm>
 
+#include "core/lanes.hpp"
 #include "planning/harvest.hpp"
-#include "planning/kernel/lanes.hpp"
 #include "planning/pregrasp_search.hpp"
 #include "planning/stop_watch.hpp"
 

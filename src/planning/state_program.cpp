@@ -3,6 +3,8 @@
 #include "planning/state_program.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "eigengrasp/core/parallel.hpp"
@@ -11,10 +13,6 @@
 namespace eigengrasp {
 
 namespace {
-
-constexpr float never = -1e9f;            // radius of a ball that meets nothing
-constexpr int most_cores = 3;             // balls of a part that are tried before all others
-constexpr double cluster_slack = 0.0003;  // [m] for the field's error at a cluster's centre
 
 kernel::Transform transform_of(const Pose& X) {
   kernel::Transform t;
@@ -34,15 +32,35 @@ Mat3 turn_z_to(const Vec3& axis) {
   return Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), axis).toRotationMatrix();
 }
 
-kernel::GridView grid_view(const FieldGrid& grid, double scale, std::size_t first) {
+/// Appends the words of a grid, see kernel::FieldView. @return what a bit of a distance stands for
+double add_words(const FieldGrid& grid, std::vector<std::int32_t>& words) {
+  float most = std::numeric_limits<float>::min();
+  for (const float value : grid.values) most = std::max(most, std::abs(value));
+  constexpr int largest = 32767;
+  const double quantum = static_cast<double>(most) / largest;
+  const auto rounded = [&](std::size_t node) {
+    const long n = std::lround(static_cast<double>(grid.values[node]) / quantum);
+    return static_cast<std::uint16_t>(static_cast<std::int16_t>(n));
+  };
+  const auto layer = static_cast<std::size_t>(grid.nodes.x() * grid.nodes.y());
+  for (std::size_t node = 0; node < grid.values.size(); ++node) {
+    const std::size_t next = node + layer < grid.values.size() ? node + layer : node;
+    words.push_back(
+        static_cast<std::int32_t>(rounded(node) | static_cast<std::uint32_t>(rounded(next)) << 16));
+  }
+  return quantum;
+}
+
+kernel::GridView grid_view(const FieldGrid& grid, double scale, double quantum, std::size_t first) {
   kernel::GridView v;
   put(scale * grid.origin, v.origin);
   for (int i = 0; i < 3; ++i) v.last[i] = static_cast<float>(grid.nodes[i] - 1);
   v.cell = static_cast<float>(scale * grid.cell);
   v.inverse_cell = static_cast<float>(1.0 / (scale * grid.cell));
-  v.row = grid.nodes.x();
-  v.layer = grid.nodes.x() * grid.nodes.y();
-  v.first = static_cast<std::int32_t>(first);
+  v.quantum = static_cast<float>(scale * quantum / 65536.0);
+  v.row = static_cast<float>(grid.nodes.x());
+  v.layer = static_cast<float>(grid.nodes.x() * grid.nodes.y());
+  v.first = static_cast<float>(first);
   return v;
 }
 
@@ -75,9 +93,11 @@ StateProgram::StateProgram(const CollisionModel& model, const EigengraspSpace& p
   put(hand.approach_point_H, program_.approach_point);
   program_.bodies = bodies_.data();
   program_.parts = parts_.data();
-  program_.cores = cores_.data();
-  program_.clusters = clusters_.data();
-  program_.balls = balls_.data();
+  program_.n_cores = packs_.n_cores();
+  program_.cores = packs_.cores();
+  program_.core_packs = packs_.core_packs();
+  program_.clusters = packs_.clusters();
+  program_.balls = packs_.balls();
   program_.pairs = pairs_.data();
   program_.contacts = contacts_.data();
   program_.object = {view(model.object_field()), transform_of(Pose::Identity())};
@@ -138,71 +158,7 @@ void StateProgram::add_part(const CollisionModel& model, int link) {
 void StateProgram::add_balls(const HandSurfaces::LinkSurface& surface, const Pose& X_BL, kernel::Part& part) {
   std::vector<Sphere> balls = surface.inner_spheres;
   for (Sphere& s : balls) s.center = X_BL * s.center;
-  add_cores(balls, part);
-  const auto groups = group_spheres(balls, kernel::n_lanes);
-  part.first_pack = static_cast<int>(clusters_.size());
-  part.n_packs = static_cast<int>((groups.size() + kernel::n_lanes - 1) / kernel::n_lanes);
-  for (std::size_t g = 0; g < groups.size(); ++g) {
-    const std::size_t lane = g % kernel::n_lanes;
-    if (lane == 0) {
-      kernel::ClusterPack empty{};
-      std::fill(std::begin(empty.core), std::end(empty.core), never);
-      std::fill(std::begin(empty.reach), std::end(empty.reach), never);
-      clusters_.push_back(empty);
-      kernel::BallPack no_balls{};
-      std::fill(std::begin(no_balls.radius), std::end(no_balls.radius), never);
-      balls_.insert(balls_.end(), kernel::n_lanes, no_balls);
-    }
-    const auto first = balls.begin() + groups[g].first;
-    const auto last = first + groups[g].count;
-    const Sphere& core =
-        *std::max_element(first, last, [](const Sphere& a, const Sphere& b) { return a.radius < b.radius; });
-    kernel::ClusterPack& cluster = clusters_.back();
-    kernel::BallPack& pack = balls_[balls_.size() - kernel::n_lanes + lane];
-    double reach = 0.0;
-    std::size_t k = 0;
-    for (auto s = first; s != last; ++s, ++k) {
-      reach = std::max(reach, (s->center - core.center).norm() + s->radius);
-      pack.x[k] = static_cast<float>(s->center.x());
-      pack.y[k] = static_cast<float>(s->center.y());
-      pack.z[k] = static_cast<float>(s->center.z());
-      pack.radius[k] = static_cast<float>(s->radius);
-    }
-    cluster.x[lane] = static_cast<float>(core.center.x());
-    cluster.y[lane] = static_cast<float>(core.center.y());
-    cluster.z[lane] = static_cast<float>(core.center.z());
-    cluster.core[lane] = static_cast<float>(core.radius);
-    cluster.reach[lane] = static_cast<float>(reach + cluster_slack);
-  }
-}
-
-// The largest ball, then those that are large and far from the ones before.
-void StateProgram::add_cores(const std::vector<Sphere>& balls_B, kernel::Part& part) {
-  part.first_core = static_cast<int>(cores_.size());
-  std::vector<const Sphere*> chosen;
-  const auto merit = [&](const Sphere& s) {
-    double away = chosen.empty() ? 0.0 : std::numeric_limits<double>::infinity();
-    for (const Sphere* c : chosen) away = std::min(away, (c->center - s.center).norm());
-    return s.radius + 0.5 * away;
-  };
-  while (static_cast<int>(chosen.size()) < std::min<int>(most_cores, static_cast<int>(balls_B.size()))) {
-    const auto best = std::max_element(balls_B.begin(), balls_B.end(),
-                                       [&](const Sphere& a, const Sphere& b) { return merit(a) < merit(b); });
-    chosen.push_back(&*best);
-    kernel::CoreBall core;
-    put(best->center, core.center);
-    core.radius = static_cast<float>(best->radius);
-    core.reach = 0.0f;
-    cores_.push_back(core);
-  }
-  for (const Sphere& s : balls_B) {
-    std::size_t nearest = 0;
-    for (std::size_t k = 1; k < chosen.size(); ++k)
-      if ((chosen[k]->center - s.center).norm() < (chosen[nearest]->center - s.center).norm()) nearest = k;
-    float& reach = cores_[static_cast<std::size_t>(part.first_core) + nearest].reach;
-    reach = std::max(reach, static_cast<float>((chosen[nearest]->center - s.center).norm() + s.radius));
-  }
-  part.n_cores = static_cast<int>(chosen.size());
+  packs_.add(std::move(balls), part);
 }
 
 // The part with fewer balls is looked up in the field of the other.
@@ -212,7 +168,7 @@ void StateProgram::add_pairs(const HandModel& hand) {
     const int pb = part_of_link_[static_cast<std::size_t>(b)];
     if (pa < 0 || pb < 0) continue;
     const bool fewer =
-        parts_[static_cast<std::size_t>(pa)].n_packs <= parts_[static_cast<std::size_t>(pb)].n_packs;
+        parts_[static_cast<std::size_t>(pa)].n_cores <= parts_[static_cast<std::size_t>(pb)].n_cores;
     pairs_.push_back(fewer ? kernel::Pair{pa, pb} : kernel::Pair{pb, pa});
   }
 }
@@ -267,12 +223,16 @@ void StateProgram::add_posture_grid(const EigengraspSpace& postures, const kerne
 
 kernel::FieldView StateProgram::view(const DistanceField& field) {
   if (field.empty()) throw std::logic_error("the collision model was prepared without distance fields");
-  std::vector<float>& values = field_values_.emplace_back(field.fine().values);
-  const std::size_t n_fine = values.size();
-  values.insert(values.end(), field.coarse().values.begin(), field.coarse().values.end());
-  for (float& value : values) value = static_cast<float>(field.scale() * static_cast<double>(value));
-  return {values.data(), grid_view(field.fine(), field.scale(), 0),
-          grid_view(field.coarse(), field.scale(), n_fine)};
+  const FieldGrid& fine = field.fine();
+  const FieldGrid& coarse = field.coarse();
+  if (fine.values.size() + coarse.values.size() > kernel::most_words)
+    throw std::logic_error("a distance field has too many nodes to be searched");
+  std::vector<std::int32_t>& words = field_words_.emplace_back();
+  words.reserve(fine.values.size() + coarse.values.size());
+  const double fine_quantum = add_words(fine, words);
+  const double coarse_quantum = add_words(coarse, words);
+  return {words.data(), grid_view(fine, field.scale(), fine_quantum, 0),
+          grid_view(coarse, field.scale(), coarse_quantum, fine.values.size())};
 }
 
 }  // namespace eigengrasp

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "eigengrasp/grasp/collision_model.hpp"
-#include "planning/kernel/program.hpp"
+#include "planning/ball_packs.hpp"
 
 namespace eigengrasp {
 
@@ -27,7 +27,6 @@ class StateProgram {
   void add_bodies(const HandModel& hand);
   void add_part(const CollisionModel& model, int link);
   void add_balls(const HandSurfaces::LinkSurface& surface, const Pose& X_BL, kernel::Part& part);
-  void add_cores(const std::vector<Sphere>& balls_B, kernel::Part& part);
   void add_pairs(const HandModel& hand);
   void add_contacts(const HandModel& hand);
   kernel::FieldView view(const DistanceField& field);
@@ -39,13 +38,11 @@ class StateProgram {
   std::vector<int> part_of_link_;
   std::vector<kernel::Body> bodies_;
   std::vector<kernel::Part> parts_;
-  std::vector<kernel::CoreBall> cores_;
-  std::vector<kernel::ClusterPack> clusters_;
-  std::vector<kernel::BallPack> balls_;
+  BallPacks packs_;
   std::vector<kernel::Pair> pairs_;
   std::vector<kernel::Contact> contacts_;
   std::vector<kernel::Solid> obstacles_;
-  std::vector<std::vector<float>> field_values_;
+  std::vector<std::vector<std::int32_t>> field_words_;
   std::vector<float> posture_clearance_;
 };
 

@@ -96,51 +96,87 @@ TEST(FreeTime, NothingComesNearerThanTheMarginVsExactDistances) {
   EXPECT_GT(limited, 50);
 }
 
-TEST(FreeTime, RoughTimesAreFreeToo) {
-  RandomStream random{6};
-  const MeshBvh a(torus_mesh(0.03, 0.01, 24));
-  const DistanceField field(a);
-  const MeshBvh b(box_mesh({0.02, 0.03, 0.01}));
-  int positive = 0;
-  for (int i = 0; i < 200; ++i) {
-    const Pose X_AB = any_pose(random, 0.12);
-    const Chain of_b = any_chain(random, a.box());
-    const auto screws = of_b.screws();
-    const SurfaceMotion motion{{}, screws, of_b.acceleration(0.5)};
-    const double time = compute_rough_free_time(field, b, X_AB, motion, margin, 0.3);
-    positive += time > 0.0;
-    const FreeTime with_field = compute_free_time(a, b, X_AB, motion, margin, 0.3, nullptr, field);
-    EXPECT_NEAR(with_field.time, compute_free_time(a, b, X_AB, motion, margin, 0.3).time, 1e-12) << i;
-    if (time == 0.0) continue;
-    for (const double t : {0.5 * time, time})
-      EXPECT_GE(closest_pair(a, b, of_b.at(t, t) * X_AB).distance, margin - 1e-9) << i;
+/// Two surfaces on chains of which the outer joints stop on the way.
+struct MovingPair {
+  Chain of_a;
+  Chain of_b;
+  Pose X_start;
+  double stop_a;  ///< [s]
+  double stop_b;
+
+  Pose a_at(double t) const { return of_a.at(t, std::min(t, stop_a)); }
+  Pose b_at(double t) const { return of_b.at(t, std::min(t, stop_b)) * X_start; }
+  Pose at(double t) const { return a_at(t).inverse() * b_at(t); }
+
+  /// Joints that move at time t, in the frame of a.
+  std::vector<Screw> screws(const Chain& chain, double t, double stop) const {
+    const Pose X_AO = a_at(t).inverse();
+    std::vector<Screw> result;
+    for (int j = 0; j < (t < stop ? 2 : 1); ++j) {
+      const Pose X = j == 0 ? X_AO : X_AO * turned_about(chain.axes[0], chain.points[0], chain.rates[0] * t);
+      const Vec3 w = chain.rates[j] * (X.linear() * chain.axes[j]);
+      result.push_back({w, (X * chain.points[j]).cross(w)});
+    }
+    return result;
   }
-  EXPECT_GT(positive, 50);
+};
+
+/// Looks until time `end` or until the two nearly touch; the distances on the way are exact ones.
+void follow(const MeshBvh& a, const MeshBvh& b, const MovingPair& pair, const DistanceField& field,
+            double end, int& touches) {
+  SeparationFront front;
+  const double acceleration =
+      (field.empty() ? pair.of_a.acceleration(0.5) : 0.0) + pair.of_b.acceleration(0.5);
+  double t = 0.0;
+  for (int looks = 0; t < end; ++looks) {
+    ASSERT_LT(looks, 500);
+    const double before = closest_pair(a, b, pair.at(t)).distance;
+    const auto screws_a = field.empty() ? pair.screws(pair.of_a, t, pair.stop_a) : std::vector<Screw>{};
+    const auto screws_b = pair.screws(pair.of_b, t, pair.stop_b);
+    const FreeTime free =
+        front.look(a, b, pair.at(t), {screws_a, screws_b, acceleration}, t, margin, 0.1, field);
+    ASSERT_GT(free.time, 0.0);
+    ASSERT_GE(front.free_until(), t + free.time);
+    if (free.distance <= 2.0 * margin) {
+      EXPECT_LE(before, 2.0 * margin);
+      ++touches;
+      return;
+    }
+    const double until = std::min(front.free_until(), end);
+    for (const double share : {0.3, 0.7, 0.95, 1.0})
+      ASSERT_GE(closest_pair(a, b, pair.at(t + share * (until - t))).distance,
+                std::min(margin, 0.5 * before) - 1e-9);
+    t = looks % 3 == 2 ? 0.5 * (t + until) : until;  // to look earlier is allowed
+  }
 }
 
-TEST(FreeTime, RoughTimesOfTwoMovingSurfacesAreFreeToo) {
+TEST(SeparationFront, NothingComesNearerThanTheMarginFromLookToLookVsExactDistances) {
   RandomStream random{8};
-  const MeshBvh a(torus_mesh(0.03, 0.01, 24));
-  const MeshBvh b(box_mesh({0.02, 0.03, 0.01}));
-  int positive = 0;
+  const MeshBvh torus(torus_mesh(0.03, 0.01, 24));
+  const MeshBvh box(box_mesh({0.05, 0.02, 0.08}));
+  const DistanceField field(torus);
+  int touches = 0;
   for (int i = 0; i < 200; ++i) {
-    const Pose X_AB = any_pose(random, 0.12);
-    const Chain of_a = any_chain(random, a.box());
-    const Chain of_b = any_chain(random, a.box());
-    const auto screws_a = of_a.screws();
-    const auto screws_b = of_b.screws();
-    const SurfaceMotion motion{screws_a, screws_b, of_a.acceleration(0.5) + of_b.acceleration(0.5)};
-    const double time =
-        std::min(1.0, compute_rough_free_time(a, Pose::Identity(), b, X_AB, motion, margin, 0.3));
-    positive += time > 0.0;
-    if (time == 0.0) continue;
-    for (const double t : {0.5 * time, time})
-      for (const double outer : {0.0, 1.0}) {
-        const Pose X = of_a.at(t, outer * t).inverse() * of_b.at(t, outer * t) * X_AB;
-        EXPECT_GE(closest_pair(a, b, X).distance, margin - 1e-7) << i;
-      }
+    const bool with_field = i % 3 == 0;
+    const MeshBvh& a = with_field || i % 2 == 0 ? torus : box;
+    const MeshBvh b(i % 4 < 2 ? ball_mesh(0.02, 10) : box_mesh({0.02, 0.03, 0.01}));
+    MovingPair pair{any_chain(random, a.box()), any_chain(random, a.box()), any_pose(random, 0.07),
+                    random.uniform(0.0, 3.0), random.uniform(0.0, 3.0)};
+    if (with_field) pair.of_a.rates[0] = pair.of_a.rates[1] = 0.0;  // only what rests has a field
+    if (closest_pair(a, b, pair.X_start).distance == 0.0) continue;
+    follow(a, b, pair, with_field ? field : DistanceField{}, 3.0, touches);
+    if (HasFatalFailure()) FAIL() << i;
   }
-  EXPECT_GT(positive, 50);
+  EXPECT_GT(touches, 20);
+}
+
+TEST(SeparationFront, SeesSurfacesThatCross) {
+  const MeshBvh a(box_mesh({0.05, 0.02, 0.08}));
+  const MeshBvh b(ball_mesh(0.02, 10));
+  const FreeTime free =
+      SeparationFront().look(a, b, Pose(Eigen::Translation3d(0.03, 0.0, 0.0)), {}, 0.0, margin, 1.0);
+  EXPECT_EQ(free.time, 0.0);
+  EXPECT_EQ(free.distance, 0.0);
 }
 
 TEST(FreeTime, CertainDistancesAreLowerBounds) {

@@ -30,11 +30,12 @@ struct Walks {
         space(scene, 2),
         evaluator(model, space.postures, alpha, set) {}
 
-  Annealer annealer(std::uint64_t number, int n_chains, std::size_t capacity = 20,
-                    std::uint64_t seed = 5) const {
+  Annealer annealer(std::uint64_t number, int n_chains, std::size_t capacity = 20, std::uint64_t seed = 5,
+                    bool tempered = false) const {
     Distinctness distinct;
     distinct.approach_point_H = model.scene().hand->approach_point_H;
-    return Annealer({model, energy, space, evaluator, {}, seed}, number, n_chains, {capacity, distinct});
+    return Annealer({model, energy, space, evaluator, {}, seed, false, tempered}, number, n_chains,
+                    {capacity, distinct});
   }
 
   CollisionModel model;
@@ -47,7 +48,7 @@ void anneal(Annealer& annealer, int steps, std::int64_t most = endless) {
   for (int i = 0; i < steps; ++i) annealer.step(static_cast<double>(i) / steps, most - annealer.iterations());
 }
 
-void expect_same(const Annealer& a, const Annealer& b) {
+void expect_same(Annealer& a, Annealer& b) {
   EXPECT_EQ(a.iterations(), b.iterations());
   EXPECT_EQ(a.counts().legal, b.counts().legal);
   EXPECT_EQ(a.counts().hit_object, b.counts().hit_object);
@@ -93,6 +94,18 @@ TEST(Annealer, RepeatsItselfForASeedAndNumberOnly) {
   expect_same(a, b);
   EXPECT_NE(a.best().items().front().energy, other_number.best().items().front().energy);
   EXPECT_NE(a.best().items().front().energy, other_seed.best().items().front().energy);
+}
+
+TEST(Annealer, TemperedWalksAlikeWithEveryInstructionSetAndNotAsACoolingOne) {
+  const Scene scene = block_scene();
+  const Walks baseline(scene, InstructionSet::baseline);
+  const Walks best(scene);
+  Annealer expected = baseline.annealer(3, 16, 20, 5, true);
+  Annealer same = best.annealer(3, 16, 20, 5, true);
+  Annealer cooling = best.annealer(3, 16);
+  for (Annealer* x : {&expected, &same, &cooling}) anneal(*x, 600);
+  expect_same(same, expected);
+  EXPECT_NE(cooling.best().items().front().energy, expected.best().items().front().energy);
 }
 
 TEST(Annealer, CountsAddUpAndKeepToTheMost) {

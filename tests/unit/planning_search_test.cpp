@@ -208,6 +208,19 @@ TEST(PlanGrasps, ThePapersSearchClosesWhatItKeepsAndTheStagedOneMore) {
   EXPECT_GE(closed(staged), closed(paper));
 }
 
+TEST(PlanGrasps, TemperingFindsTheSameOnOneAndOnTwoThreads) {
+  PlanOptions options = quick;
+  options.search = SearchKind::tempering;
+  options.chains = 32;
+  const PlanResult one = plan_grasps(block_scene(), options);
+  options.threads = 2;
+  const PlanResult two = plan_grasps(block_scene(), options);
+  expect_same(one, two);
+  EXPECT_EQ(one.status, PlanStatus::found) << one.explanation;
+  EXPECT_EQ(one.states.evaluated, 6000);
+  EXPECT_EQ(one.grasps[0].provenance.planner, "tempering/contact");
+}
+
 TEST(PlanGrasps, AvoidsTheTable) {
   Scene scene = block_scene();
   scene.obstacles.push_back(make_table(-0.02));

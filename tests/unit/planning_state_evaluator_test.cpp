@@ -116,8 +116,9 @@ double median(std::vector<double> v) {
   return v[v.size() / 2];
 }
 
-// Single precision alone sets the two apart where the field's gradient is good at all contacts: below
-// 0.001 mm of energy. Elsewhere GraspEnergy asks the mesh.
+// The field's rounding to sixteen bits sets the two apart where its gradient is good at all contacts:
+// distances by half a quantum, which is 0.006 mm for the 0.4 m of the coarse grid, directions by as much over
+// a cell of 2 mm, times alpha. Elsewhere GraspEnergy asks the mesh.
 TEST(StateEvaluator, PosesAndEnergyVsDoublePrecision) {
   for (const char* hand : {"human", "barrett-metal"}) {
     const CollisionModel model = fast_model(testing::shipped_scene(hand, "shoe"));
@@ -144,9 +145,9 @@ TEST(StateEvaluator, PosesAndEnergyVsDoublePrecision) {
     std::cout << hand << ": " << good.size() << " of " << residuals.size()
               << " states with good gradients, median " << median(good) << ", largest " << good.back()
               << " mm; all: median " << median(residuals) << "\n";
-    EXPECT_LT(median(good), 1e-4);
-    EXPECT_LT(good.back(), 1e-3);
-    EXPECT_LT(median(residuals), 1e-3);
+    EXPECT_LT(median(good), 0.006);
+    EXPECT_LT(good.back(), 0.03);
+    EXPECT_LT(median(residuals), 0.006);
   }
 }
 

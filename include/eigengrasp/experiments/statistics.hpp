@@ -13,5 +13,7 @@ double mean(const std::vector<double>& numbers);
 double standard_deviation(const std::vector<double>& numbers);
 /// Of an even count, the mean of the two in the middle.
 double median(std::vector<double> numbers);
+/// The smallest number that at least this share of all does not exceed. @param share in (0, 1]
+double percentile(std::vector<double> numbers, double share);
 
 }  // namespace eigengrasp

@@ -6,17 +6,10 @@
 #include <vector>
 
 #include "eigengrasp/experiments/machine.hpp"
+#include "eigengrasp/experiments/result_picture.hpp"
 #include "eigengrasp/experiments/table2.hpp"
-#include "eigengrasp/render/image.hpp"
 
 namespace eigengrasp {
-
-/// A picture of a result, and where it is to be written.
-struct ResultPicture {
-  std::string file;  ///< relative to the folder of the result, such as "table2/figure2.png"
-  std::string caption;
-  Image image;
-};
 
 /// The table as a page: for each search and friction the counts of all cells (mean and standard deviation)
 /// beside the paper's and GraspIt!'s, the targets, the time of a run, how it was made, the pictures.

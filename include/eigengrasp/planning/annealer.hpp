@@ -70,6 +70,9 @@ VecX hand_posture(const HandModel& hand, const SearchSpace& space, const HandSta
 /// draws sixteen neighbours of its state at once and takes the first that is accepted, which is the same walk
 /// as one draw after the other; draws behind the accepted one are thrown away and do not count. Holds its own
 /// random streams and memory: annealers run in any order, on any thread.
+///
+/// Tempered, the sixteen chains stand on a ladder of temperatures, from the schedule's last to its first;
+/// after every other step neighbours trade theirs by the Metropolis rule. Progress has no meaning then.
 class Annealer {
  public:
   /// What annealers share; what it refers to must outlive them.
@@ -81,10 +84,11 @@ class Annealer {
     AnnealingSchedule schedule;
     std::uint64_t seed;
     bool judge_all = false;  ///< see PlanOptions
+    bool tempered = false;   ///< parallel tempering of sixteen chains instead of cooling
   };
 
   /// @param number of the annealer: with the seed the key of its random streams
-  /// @param n_chains 1 or 16
+  /// @param n_chains 1 or 16; tempered: 16
   /// @param list that the best distinct states are added to
   Annealer(const Task& task, std::uint64_t number, int n_chains, PreGraspList list);
   ~Annealer();
@@ -94,16 +98,20 @@ class Annealer {
   /// @param progress in [0, 1]  @param most states that may be counted
   void step(double progress, std::int64_t most);
 
-  /// All chains back to new random starts; the list of the best stays.
+  /// All chains back to new random starts, and to their first temperatures, chain 0 to the coldest; the list
+  /// of the best stays.
   void restart();
   /// One chain to a given start.
   void restart(int chain, const HandState& state);
 
   const StateCounts& counts() const { return counts_; }
   std::int64_t iterations() const { return counts_.evaluated; }
-  const PreGraspList& best() const { return list_; }
+  /// The best distinct states since the last forget().
+  const PreGraspList& best();
   /// Empties the list of the best.
-  void forget() { list_.clear(); }
+  void forget();
+  /// The lowest energy so far; 1e8 where no state was legal.
+  double best_energy() const { return best_energy_; }
   /// Each state that was better than all before it.
   const std::vector<SearchMilestone>& milestones() const { return milestones_; }
 
@@ -112,9 +120,12 @@ class Annealer {
 
   HandState random_state();
   void set_temperatures(double progress);
+  void temper();
   void judge_in_full();
   void count(StateEvaluator::Verdict verdict);
-  void remember(int lane);
+  void remember(int lane, int chain);
+  void settle(int chain);
+  PreGrasp pregrasp(const HandState& state, double energy, int chain, std::int64_t iteration) const;
 
   Task task_;
   int n_chains_;

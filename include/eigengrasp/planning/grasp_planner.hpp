@@ -29,6 +29,8 @@ enum class SearchKind {
            ///< end
   staged,  ///< many short chains side by side; what they find is closed while the search goes on (as in
            ///< section IV-D), and pre-grasps that close are preferred
+  tempering,  ///< as staged, but the chains of a stage do not cool: they stand on a ladder of temperatures
+              ///< and trade them (parallel tempering)
 };
 
 struct PlanProgress {
@@ -53,7 +55,7 @@ struct PlanOptions {
   int grasps = 20;          ///< pre-grasps that are kept, closed and rated
   std::uint64_t seed = 1;
   int threads = 0;     ///< 0: all. Does not change the result
-  int chains = 32;     ///< of the staged search, side by side; rounded up to whole sixteens
+  int chains = 32;     ///< of the staged and the tempering search, side by side; rounded up to whole sixteens
   int amplitudes = 2;  ///< eigengrasps that are searched; hand.n_dof(): all degrees of freedom
   EnergyKind energy = EnergyKind::contact;
   SearchKind search = SearchKind::staged;
@@ -80,7 +82,7 @@ struct PlanOptions {
 };
 
 /// What became of the states that the search drew. Without PlanOptions::judge_all, states whose energy is too
-/// high to be taken are only looked at roughly, and count as legal where that shows no collision.
+/// high to be taken are only asked whether the hand hits itself, and count as legal where it does not.
 struct StateCounts {
   std::int64_t evaluated = 0;
   std::int64_t legal = 0;

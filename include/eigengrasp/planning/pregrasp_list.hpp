@@ -45,12 +45,17 @@ class PreGraspList {
   /// Takes the one of lowest energy out; none where the list is empty.
   std::optional<PreGrasp> take_best();
   const std::vector<PreGrasp>& items() const { return items_; }
-  void clear() { items_.clear(); }
+  void clear();
+  const Distinctness& distinctness() const { return distinct_; }
 
  private:
+  /// Whether the two are not distinct. @param place of the first one's approach point in O
+  bool same(const PreGrasp& p, const Vec3& place, std::size_t item) const;
+
   std::size_t capacity_;
   Distinctness distinct_;
   std::vector<PreGrasp> items_;
+  std::vector<Vec3> places_;  ///< of their approach points in O
 };
 
 }  // namespace eigengrasp

@@ -24,9 +24,9 @@ class Evaluation {
     alive_ = 0xffffu;
     for (int i = 0; i < n_lanes; ++i) w_.verdict[i] = legal;
     const std::uint32_t unsure_postures = consult_postures();
-    meet_object();
-    if (alive_ == 0) return;
     add_up_energy();
+    if (alive_ == 0) return;
+    place_cores();
     for (int k = 0; k < p_.n_obstacles && alive_ != 0; ++k) meet_obstacle(p_.obstacles[k]);
     for (std::uint32_t left = alive_; left != 0; left &= left - 1) {
       const int lane = __builtin_ctz(left);
@@ -46,7 +46,9 @@ class Evaluation {
       const Part& b = p_.parts[p_.pairs[i].field];
       for (std::uint32_t left = near_each_other(p_.pairs[i], most_clearance); left != 0; left &= left - 1) {
         const int lane = __builtin_ctz(left);
-        least[lane] = clearance<false>(a, pose_in_link(a, b, lane), b.field, least[lane]);
+        const Motion<B> X = splat_motion<B>(pose_in_link(a, b, lane));
+        for (int core = a.first_core; core < a.first_core + a.n_cores; ++core)
+          least[lane] = clearance<false>(core, X, b.field, least[lane]);
       }
     }
     for (int i = 0; i < n_lanes; ++i) w_.energy[i] = least[i];
@@ -118,25 +120,15 @@ class Evaluation {
     for (; lanes != 0; lanes &= lanes - 1) w_.verdict[__builtin_ctz(lanes)] = verdict;
   }
 
-  /// Sorts out states that surely hit the object, and notes which parts are so near that it is unsure.
-  void meet_object() {
-    for (int i = 0; i < p_.n_parts; ++i) {
-      const Part& part = p_.parts[i];
-      const DistanceBounds<B> bounds = bound_distance<B>(p_.object.field, load_center(i));
-      w_.unsure[i] = bits(bounds.lower < F(part.reach)) & alive_;
-      if (w_.unsure[i] == 0) continue;
-      const Motion<B> X = load_motion<B>(pose(part.body));
-      std::uint32_t hit = 0;
-      std::uint32_t near = 0;
-      for (int k = part.first_core; k < part.first_core + part.n_cores; ++k) {
-        const CoreBall& ball = p_.cores[k];
-        const DistanceBounds<B> at_core = bound_distance<B>(p_.object.field, moved(X, splat<B>(ball.center)));
-        hit |= bits(at_core.upper < F(ball.radius));
-        near |= bits(at_core.lower < F(ball.reach));
-      }
-      w_.unsure[i] &= near;
-      end(hit & alive_, hits_object);
-      if (alive_ == 0) return;
+  /// Where the cores are, in every lane.
+  void place_cores() {
+    for (int k = 0; k < p_.n_cores; ++k) {
+      const CoreBall& ball = p_.cores[k];
+      const V c = moved(load_motion<B>(pose(ball.body)), splat<B>(ball.center));
+      float* const to = w_.cores + k * 3 * n_lanes;
+      store<B>(to, c.x);
+      store<B>(to + n_lanes, c.y);
+      store<B>(to + 2 * n_lanes, c.z);
     }
   }
 
@@ -161,11 +153,11 @@ class Evaluation {
 
   EIGENGRASP_LANES_INLINE void add_contact(const Contact& contact, F& distances, F& misfits) const {
     const Motion<B> X = load_motion<B>(pose(contact.body));
-    const Cell<B> cell = look_up<B>(p_.object.field, moved(X, splat<B>(contact.p)));
-    const V g = gradient(cell);
-    const F slope = sqrt(max(dot(g, g), F(1e-12f)));
+    const PointSlope<B> at = look_up_slope<B>(p_.object.field, moved(X, splat<B>(contact.p)));
+    const V& g = at.gradient;
+    const F slope = sqrt(max(dot(g, g), F(1.0f)));
     // -o: from the nearest point of the surface to the contact, for one beyond the grid by way of its border.
-    const V away = cell.beyond + (distance(cell) / slope) * g;
+    const V away = at.beyond + (at.distance / slope) * g;
     const F length = sqrt(dot(away, away));
     const F minus_cosine = dot(turned(X, splat<B>(contact.n)), away) / max(length, F(1e-9f));
     distances = distances + length;
@@ -181,46 +173,67 @@ class Evaluation {
     return t;
   }
 
+  /// Sixteen cores at once; then what the cores own that are near the object.
   bool touches_object(int lane) const {
-    for (int i = 0; i < p_.n_parts; ++i)
-      if ((w_.unsure[i] >> lane & 1u) &&
-          part_hits(p_.parts[i], pose_of_lane(p_.parts[i].body, lane), p_.object.field))
-        return true;
+    const F limit(-p_.refuse_depth);
+    const int n_packs = (p_.n_cores + n_lanes - 1) / n_lanes;
+    for (int i = 0; i < n_packs; ++i) {
+      const CorePack& pack = p_.core_packs[i];
+      const Ints<B> at = load_ints<B>(pack.place);
+      const float* const centers = w_.cores + lane;
+      const V center{gather<B>(centers, at), gather<B>(centers + n_lanes, at),
+                     gather<B>(centers + 2 * n_lanes, at)};
+      const PointDistance<B> d = look_up<B>(p_.object.field, center);
+      if (bits(d.at_border + d.beyond - load<B>(pack.radius) < limit) != 0) return true;
+      w_.near[i] = bits(lower_bound(d) - load<B>(pack.reach) < limit);
+    }
+    for (int i = 0; i < n_packs; ++i)
+      for (std::uint32_t near = w_.near[i]; near != 0; near &= near - 1) {
+        const int core = n_lanes * i + __builtin_ctz(near);
+        const Motion<B> X = splat_lane<B>(pose(p_.cores[core].body) + lane);
+        if (core_hits(core, X, p_.object.field)) return true;
+      }
     return false;
   }
 
-  /// The least distance minus radius over the balls of a part, where that is below the limit, else the limit.
-  /// `enough`: may return as soon as something below the limit was found.
-  /// @param X_FB pose of the part's body in the field's frame
+  /// A point beyond the grid by b, whose border's distance is d, is at least the root of d^2 + b^2 from the
+  /// surface, since that lies within the grid's box; and at most d + b.
+  static F lower_bound(const PointDistance<B>& d) {
+    return select(F(0.0f) < d.beyond, sqrt(d.beyond * d.beyond + d.at_border * d.at_border), d.at_border);
+  }
+
+  /// The least distance minus radius over the balls that a core owns, where that is below the limit, else the
+  /// limit. `enough`: may return as soon as something below the limit was found.
+  /// @param X pose of the part's body in the field's frame
   template <bool enough>
-  float clearance(const Part& part, const Transform& X_FB, const FieldView& field, float limit) const {
-    const Motion<B> X = splat_motion<B>(X_FB);
+  float clearance(int core, const Motion<B>& X, const FieldView& field, float limit) const {
     float least = limit;
-    for (int i = part.first_pack; i < part.first_pack + part.n_packs; ++i) {
-      const ClusterPack& c = p_.clusters[i];
-      const Cell<B> cell = look_up<B>(field, moved(X, V{load<B>(c.x), load<B>(c.y), load<B>(c.z)}));
-      const F at_border = distance(cell);
-      const F beyond = sqrt(dot(cell.beyond, cell.beyond));
-      // A point beyond the grid by b, whose border's distance is d, is at most d + b from the surface, and at
-      // least the root of d^2 + b^2, since the surface lies within the grid's box.
-      const F core = at_border + beyond - load<B>(c.core);
-      if (enough && bits(core < F(limit)) != 0) return lowest(core, least);
-      const F lower = sqrt(beyond * beyond + at_border * at_border);
-      const F slack = select(F(0.0f) < beyond, lower, at_border) - load<B>(c.reach);
-      for (std::uint32_t near = bits(slack < F(least)); near != 0; near &= near - 1) {
-        const BallPack& pack = p_.balls[n_lanes * i + __builtin_ctz(near)];
-        const F gap = ball_gaps(pack, X, field);
-        if (bits(gap < F(least)) == 0) continue;
-        least = lowest(gap, least);
-        if (enough) return least;
-      }
+    std::uint32_t near = near_clusters(p_.clusters[core], X, field, least);
+    if (enough && least < limit) return least;
+    const BallPack* const packs = p_.balls + n_lanes * core;
+    for (; near != 0; near &= near - 1) {
+      const F gap = ball_gaps(packs[__builtin_ctz(near)], X, field);
+      if (bits(gap < F(least)) == 0) continue;
+      least = lowest(gap, least);
+      if (enough) return least;
     }
     return least;
   }
 
+  /// The clusters that may have a ball nearer than `least`, which is lowered to the cores' least gap.
+  std::uint32_t near_clusters(const ClusterPack& c, const Motion<B>& X, const FieldView& field,
+                              float& least) const {
+    const PointDistance<B> at = look_up<B>(field, moved(X, V{load<B>(c.x), load<B>(c.y), load<B>(c.z)}));
+    const F core = at.at_border + at.beyond - load<B>(c.radius);
+    if (bits(core < F(least)) != 0) least = lowest(core, least);
+    const F slack = lower_bound(at) - load<B>(c.reach);
+    return bits(slack < F(least));
+  }
+
   F ball_gaps(const BallPack& pack, const Motion<B>& X, const FieldView& field) const {
-    const Cell<B> cell = look_up<B>(field, moved(X, V{load<B>(pack.x), load<B>(pack.y), load<B>(pack.z)}));
-    return distance(cell) + sqrt(dot(cell.beyond, cell.beyond)) - load<B>(pack.radius);
+    const PointDistance<B> at =
+        look_up<B>(field, moved(X, V{load<B>(pack.x), load<B>(pack.y), load<B>(pack.z)}));
+    return at.at_border + at.beyond - load<B>(pack.radius);
   }
 
   float lowest(const F& values, float least) const {
@@ -230,8 +243,13 @@ class Evaluation {
     return least;
   }
 
-  bool part_hits(const Part& part, const Transform& X_FB, const FieldView& field) const {
-    return clearance<true>(part, X_FB, field, -p_.refuse_depth) < -p_.refuse_depth;
+  bool core_hits(int core, const Motion<B>& X_FB, const FieldView& field) const {
+    return clearance<true>(core, X_FB, field, -p_.refuse_depth) < -p_.refuse_depth;
+  }
+  bool part_hits(const Part& part, const Motion<B>& X_FB, const FieldView& field) const {
+    for (int core = part.first_core; core < part.first_core + part.n_cores; ++core)
+      if (core_hits(core, X_FB, field)) return true;
+    return false;
   }
 
   void meet_obstacle(const Solid& solid) {
@@ -241,8 +259,8 @@ class Evaluation {
       const DistanceBounds<B> bounds = bound_distance<B>(solid.field, moved(X_BO, load_center(i)));
       for (std::uint32_t left = bits(bounds.lower < F(part.reach)) & alive_; left != 0; left &= left - 1) {
         const int lane = __builtin_ctz(left);
-        if (part_hits(part, product(solid.object_in_field, pose_of_lane(part.body, lane)), solid.field))
-          end(1u << lane, hits_obstacle);
+        const Transform X_FB = product(solid.object_in_field, pose_of_lane(part.body, lane));
+        if (part_hits(part, splat_motion<B>(X_FB), solid.field)) end(1u << lane, hits_obstacle);
       }
     }
   }
@@ -267,24 +285,37 @@ class Evaluation {
 
   /// Sorts out the postures that surely collide, and returns the lanes of those that may.
   std::uint32_t consult_postures() {
+    // How far the clearance may be from what is interpolated, see docs/theory/performance.md.
+    constexpr float least_tolerance = 0.0001f;  // [m]
+    constexpr float tolerance_per_spread = 0.3f;
     const PostureGrid& g = p_.postures;
     if (!g.clearance) return 0xffffu;
-    const auto node = [&](int i) {
+    const auto place = [&](int i) {
       const F u = F(g.per_amplitude[i]) * (load<B>(w_.amplitudes + i * n_lanes) - F(g.low[i]));
-      return truncate(clamp(u, F(0.0f), F(static_cast<float>(g.nodes[i] - 2))));
+      return clamp(u, F(0.0f), F(static_cast<float>(g.nodes[i] - 1)));
+    };
+    const auto node = [&](const F& u, int i) {
+      return truncate(min(u, F(static_cast<float>(g.nodes[i] - 2))));
     };
     const bool two = p_.n_amplitudes > 1;
-    const Ints<B> at = two ? node(0) + node(1) * Ints<B>(g.nodes[0]) : node(0);
+    const F u0 = place(0);
+    const F u1 = two ? place(1) : F(0.0f);
+    const Ints<B> i0 = node(u0, 0);
+    const Ints<B> i1 = two ? node(u1, 1) : Ints<B>(0);
+    const Ints<B> at = i0 + i1 * Ints<B>(g.nodes[0]);
     const Ints<B> up(two ? g.nodes[0] : 0);
     const Ints<B> one(1);
     const F c00 = gather<B>(g.clearance, at);
     const F c10 = gather<B>(g.clearance, at + one);
     const F c01 = gather<B>(g.clearance, at + up);
     const F c11 = gather<B>(g.clearance, at + up + one);
-    constexpr float unsure =
-        0.0007f;  // [m] how far the clearance inside a cell may be from that at its corners
-    end(bits(max(max(c00, c10), max(c01, c11)) < F(-p_.refuse_depth - unsure)) & alive_, hits_itself);
-    return bits(min(min(c00, c10), min(c01, c11)) < F(-p_.refuse_depth + unsure));
+    const F f0 = u0 - to_float(i0);
+    const F clear = mix(mix(c00, c10, f0), mix(c01, c11, f0), u1 - to_float(i1));
+    const F spread = max(max(c00, c10), max(c01, c11)) - min(min(c00, c10), min(c01, c11));
+    const F tolerance = F(least_tolerance) + F(tolerance_per_spread) * spread;
+    const F over = clear + F(p_.refuse_depth);
+    end(bits(over < F(0.0f) - tolerance) & alive_, hits_itself);
+    return bits(over < tolerance);
   }
 
   void meet_itself(std::uint32_t unsure) {
@@ -294,7 +325,7 @@ class Evaluation {
       for (std::uint32_t left = near_each_other(p_.pairs[i], 0.0f) & unsure & alive_; left != 0;
            left &= left - 1) {
         const int lane = __builtin_ctz(left);
-        if (part_hits(a, pose_in_link(a, b, lane), b.field)) end(1u << lane, hits_itself);
+        if (part_hits(a, splat_motion<B>(pose_in_link(a, b, lane)), b.field)) end(1u << lane, hits_itself);
       }
       if ((alive_ & unsure) == 0) return;
     }

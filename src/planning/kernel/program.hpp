@@ -4,26 +4,31 @@
 
 #include <cstdint>
 
-#include "planning/kernel/lanes.hpp"
+#include "core/lanes.hpp"
 
 /// What the kernels read and write: a hand and what it can hit, flattened into plain arrays of single
 /// precision. Lengths in metres, poses as row-major rotation and translation. Filled by StateEvaluator.
 namespace eigengrasp::kernel {
 
-/// One regular grid of distances inside a FieldView.
+/// One regular grid of distances inside a FieldView. Places of nodes are whole numbers in floats, exact below
+/// most_words.
 struct GridView {
   float origin[3];  ///< of node (0, 0, 0)
   float last[3];    ///< nodes - 1 along the axes
   float cell;
   float inverse_cell;
-  std::int32_t row;    ///< nodes along x
-  std::int32_t layer;  ///< nodes along x times nodes along y
-  std::int32_t first;  ///< place of node (0, 0, 0) in the values
+  float quantum;  ///< [m] of a unit of a distance that stands in the upper half of a word
+  float row;      ///< nodes along x
+  float layer;    ///< nodes along x times nodes along y
+  float first;    ///< place of node (0, 0, 0) in the words
 };
+inline constexpr std::int32_t most_words = 1 << 24;
 
-/// A distance field: a fine grid near the surface inside of a coarse one.
+/// A distance field: a fine grid near the surface inside of a coarse one. A node is a word: its own distance
+/// in the lower half, that of the next node along z in the upper one, both in sixteen bits with sign. So two
+/// words side by side hold four corners of a cell, and half of the cache lines are touched.
 struct FieldView {
-  const float* values;
+  const std::int32_t* words;
   GridView fine;
   GridView coarse;
 };
@@ -49,11 +54,11 @@ struct alignas(64) BallPack {
   float radius[n_lanes];                     ///< far below 0 for the ones that only fill up
 };
 
-/// Sixteen clusters of up to sixteen balls each. The centre is that of the largest ball.
+/// The clusters of a core: of each of its packs of balls one ball, and how far the others are from it.
 struct alignas(64) ClusterPack {
-  float x[n_lanes], y[n_lanes], z[n_lanes];
-  float core[n_lanes];   ///< radius of the largest ball
-  float reach[n_lanes];  ///< all balls lie within this of the centre
+  float x[n_lanes], y[n_lanes], z[n_lanes];  ///< in the frame of the body
+  float radius[n_lanes];
+  float reach[n_lanes];  ///< all balls of the pack lie within this of the centre
 };
 
 /// A link with a surface: inner balls that cover it, and its own distance field.
@@ -61,19 +66,24 @@ struct Part {
   std::int32_t body;
   float center[3];          ///< of a ball about the whole part, in the body's frame
   float reach;              ///< its radius
-  std::int32_t first_core;  ///< the largest inner balls that are far from each other
+  std::int32_t first_core;  ///< its balls belong to its cores
   std::int32_t n_cores;
-  std::int32_t first_pack;  ///< of clusters; cluster k of pack i has the balls of pack 16 i + k
-  std::int32_t n_packs;
   Transform body_in_link;  ///< from the body's frame to the frame of `field`
   FieldView field;
 };
 
-/// One of the large inner balls of a part. Together their reaches hold the whole part.
+/// One of the inner balls of a part, which stands for all about it. Core k owns the kth pack of clusters, and
+/// these the packs of balls 16 k to 16 k + 15.
 struct CoreBall {
-  float center[3];
-  float radius;
-  float reach;  ///< inner balls that are nearer to this core than to the others lie within this of its centre
+  float center[3];  ///< in the frame of the body
+  std::int32_t body;
+};
+
+/// Sixteen cores.
+struct alignas(64) CorePack {
+  std::int32_t place[n_lanes];  ///< of lane 0 of the core's centre in Workspace::cores
+  float radius[n_lanes];
+  float reach[n_lanes];  ///< all balls that the core owns lie within this of its centre
 };
 
 struct Pair {
@@ -104,7 +114,7 @@ inline constexpr float most_clearance = 0.004f;
 
 /// Immutable; shared by all threads.
 struct Program {
-  std::int32_t n_dofs, n_amplitudes, n_bodies, n_parts, n_pairs, n_contacts, n_obstacles;
+  std::int32_t n_dofs, n_amplitudes, n_bodies, n_parts, n_cores, n_pairs, n_contacts, n_obstacles;
   const float* origin;   ///< (n_dofs) of the eigengrasp space
   const float* basis;    ///< (n_dofs x n_amplitudes) row-major
   const float* dof_min;  ///< (n_dofs)
@@ -113,6 +123,7 @@ struct Program {
   const Body* bodies;
   const Part* parts;
   const CoreBall* cores;
+  const CorePack* core_packs;
   const ClusterPack* clusters;
   const BallPack* balls;
   const Pair* pairs;
@@ -144,7 +155,8 @@ struct Workspace {
   float* dofs;            ///< (n_dofs x 16) scratch
   float* poses;           ///< (n_bodies x 12 x 16) scratch
   float* centers;         ///< (n_parts x 3 x 16) scratch
-  std::uint32_t* unsure;  ///< (n_parts) scratch: lanes in which the part is near the object
+  float* cores;           ///< (n_cores x 3 x 16) scratch
+  std::uint32_t* near;    ///< (n_cores / 16, rounded up) scratch: cores of a state that are near the object
   float* row;             ///< (16) scratch
 };
 

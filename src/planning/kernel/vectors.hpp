@@ -84,6 +84,16 @@ EIGENGRASP_LANES_INLINE Motion<B> splat_motion(const Transform& c) {
   return {column(0), column(1), column(2), splat<B>(c.p)};
 }
 
+/// The motion of one lane in every lane. @param pose stored motion, from the lane on
+template <class B>
+EIGENGRASP_LANES_INLINE Motion<B> splat_lane(const float* pose) {
+  const auto at = [&](int k) {
+    return Vector<B>{Floats<B>(pose[k * n_lanes]), Floats<B>(pose[(k + 1) * n_lanes]),
+                     Floats<B>(pose[(k + 2) * n_lanes])};
+  };
+  return {at(0), at(3), at(6), at(9)};
+}
+
 template <class B>
 struct SineCosine {
   Floats<B> sine, cosine;

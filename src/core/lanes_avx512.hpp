@@ -4,7 +4,7 @@
 
 #include <immintrin.h>
 
-#include "planning/kernel/lanes.hpp"
+#include "core/lanes.hpp"
 
 namespace eigengrasp::kernel {
 namespace {
@@ -22,13 +22,14 @@ struct Avx512 {
   static I load_int(const std::int32_t* p) { return _mm512_load_si512(p); }
   static void store_int(std::int32_t* p, I a) { _mm512_store_si512(p, a); }
   static F gather(const float* base, I index) { return _mm512_i32gather_ps(index, base, 4); }
-  static void gather_pair(const float* base, I index, F& first, F& second) {  // eight bytes at a time
+  static I gather_int(const std::int32_t* base, I index) { return _mm512_i32gather_epi32(index, base, 4); }
+  static void gather_pair(const std::int32_t* base, I index, I& first, I& second) {  // eight bytes at a time
     const I even = _mm512_setr_epi32(0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30);
     const I odd = _mm512_or_si512(even, _mm512_set1_epi32(1));
-    const F a = _mm512_castpd_ps(_mm512_i32gather_pd(_mm512_castsi512_si256(index), base, 4));
-    const F b = _mm512_castpd_ps(_mm512_i32gather_pd(_mm512_extracti64x4_epi64(index, 1), base, 4));
-    first = _mm512_permutex2var_ps(a, even, b);
-    second = _mm512_permutex2var_ps(a, odd, b);
+    const I a = _mm512_i32gather_epi64(_mm512_castsi512_si256(index), base, 4);
+    const I b = _mm512_i32gather_epi64(_mm512_extracti64x4_epi64(index, 1), base, 4);
+    first = _mm512_permutex2var_epi32(a, even, b);
+    second = _mm512_permutex2var_epi32(a, odd, b);
   }
   static F add(F a, F b) { return _mm512_add_ps(a, b); }
   static F sub(F a, F b) { return _mm512_sub_ps(a, b); }

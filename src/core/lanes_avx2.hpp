@@ -4,7 +4,7 @@
 
 #include <immintrin.h>
 
-#include "planning/kernel/lanes.hpp"
+#include "core/lanes.hpp"
 
 namespace eigengrasp::kernel {
 namespace {
@@ -22,12 +22,13 @@ struct Avx2 {
   static I load_int(const std::int32_t* p) { return _mm256_load_si256(reinterpret_cast<const I*>(p)); }
   static void store_int(std::int32_t* p, I a) { _mm256_store_si256(reinterpret_cast<I*>(p), a); }
   static F gather(const float* base, I index) { return _mm256_i32gather_ps(base, index, 4); }
-  static void gather_pair(const float* base, I index, F& first, F& second) {  // eight bytes at a time
+  static I gather_int(const std::int32_t* base, I index) { return _mm256_i32gather_epi32(base, index, 4); }
+  static void gather_pair(const std::int32_t* base, I index, I& first, I& second) {  // eight bytes at a time
     const auto* const pairs = reinterpret_cast<const double*>(base);
     const F a = _mm256_castpd_ps(_mm256_i32gather_pd(pairs, _mm256_castsi256_si128(index), 4));
     const F b = _mm256_castpd_ps(_mm256_i32gather_pd(pairs, _mm256_extracti128_si256(index, 1), 4));
-    first = in_order(_mm256_shuffle_ps(a, b, 0x88));
-    second = in_order(_mm256_shuffle_ps(a, b, 0xdd));
+    first = bits_of(in_order(_mm256_shuffle_ps(a, b, 0x88)));
+    second = bits_of(in_order(_mm256_shuffle_ps(a, b, 0xdd)));
   }
   static F add(F a, F b) { return _mm256_add_ps(a, b); }
   static F sub(F a, F b) { return _mm256_sub_ps(a, b); }

@@ -144,11 +144,17 @@ EIGENGRASP_LANES_INLINE Floats<B> gather(const float* base, const Ints<B>& index
   for (int k = 0; k < Floats<B>::n; ++k) r.v[k] = B::gather(base, index.v[k]);
   return r;
 }
+template <class B>
+EIGENGRASP_LANES_INLINE Ints<B> gather(const std::int32_t* base, const Ints<B>& index) {
+  Ints<B> r;
+  for (int k = 0; k < Ints<B>::n; ++k) r.v[k] = B::gather_int(base, index.v[k]);
+  return r;
+}
 /// base[index] and base[index + 1] of each lane.
 template <class B>
-EIGENGRASP_LANES_INLINE void gather_pair(const float* base, const Ints<B>& index, Floats<B>& first,
-                                         Floats<B>& second) {
-  for (int k = 0; k < Floats<B>::n; ++k) B::gather_pair(base, index.v[k], first.v[k], second.v[k]);
+EIGENGRASP_LANES_INLINE void gather_pair(const std::int32_t* base, const Ints<B>& index, Ints<B>& first,
+                                         Ints<B>& second) {
+  for (int k = 0; k < Ints<B>::n; ++k) B::gather_pair(base, index.v[k], first.v[k], second.v[k]);
 }
 /// x in [low, high].
 template <class B>

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The eigengrasp authors
 #pragma once
 
-#include "planning/kernel/lanes.hpp"
+#include "core/lanes.hpp"
 
 namespace eigengrasp::kernel {
 namespace {
@@ -21,9 +21,12 @@ struct Baseline {
   static I load_int(const std::int32_t* p) { return *reinterpret_cast<const I*>(p); }
   static void store_int(std::int32_t* p, I a) { *reinterpret_cast<I*>(p) = a; }
   static F gather(const float* base, I i) { return F{base[i[0]], base[i[1]], base[i[2]], base[i[3]]}; }
-  static void gather_pair(const float* base, I i, F& first, F& second) {
-    first = gather(base, i);
-    second = gather(base + 1, i);
+  static I gather_int(const std::int32_t* base, I i) {
+    return I{base[i[0]], base[i[1]], base[i[2]], base[i[3]]};
+  }
+  static void gather_pair(const std::int32_t* base, I i, I& first, I& second) {
+    first = gather_int(base, i);
+    second = gather_int(base + 1, i);
   }
   static F add(F a, F b) { return a + b; }
   static F sub(F a, F b) { return a - b; }
