@@ -42,6 +42,8 @@ export function wish_of_keys(held: ReadonlySet<string>): Wish {
 /** Keys of the page; those that go into a field are left alone. */
 export class Keyboard {
   private readonly held = new Set<string>();
+  /** Pressed since the last reading: a tap between two frames counts too. */
+  private fresh: string[] = [];
   private readonly stop = new AbortController();
 
   constructor(on_action: (action: Action) => void, on_motion: () => void) {
@@ -55,6 +57,7 @@ export class Keyboard {
         if (!action && !motions[event.code] && !event.code.startsWith("Shift")) return;
         if (motions[event.code]) event.preventDefault();
         this.held.add(event.code);
+        this.fresh.push(event.code);
         on_motion();
       },
       options,
@@ -63,8 +66,10 @@ export class Keyboard {
     window.addEventListener("blur", () => this.held.clear(), options);
   }
 
-  get wish(): Wish {
-    return wish_of_keys(this.held);
+  read(): Wish {
+    const wish = wish_of_keys(new Set([...this.held, ...this.fresh]));
+    this.fresh = [];
+    return wish;
   }
 
   dispose(): void {

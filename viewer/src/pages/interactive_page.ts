@@ -149,7 +149,7 @@ export class InteractivePage implements Page {
   private frame(seconds: number): void {
     this.lifting.advance(seconds);
     const pad = this.gamepads.read();
-    const wish = add_wishes(this.keyboard?.wish ?? still, pad ?? still);
+    const wish = add_wishes(this.keyboard?.read() ?? still, pad ?? still);
     if (pad) this.app.stage.request();
     if (!is_still(wish) || this.gizmo.dragging || this.holding) this.glide.end();
     if ((is_still(wish) && !this.glide.running) || !this.session.wrist || this.holding || this.gizmo.dragging) return;

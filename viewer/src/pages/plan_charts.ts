@@ -32,6 +32,7 @@ export class PlanCharts {
   });
   private readonly text = h("output", { for: "milestones" });
   private readonly strip: HTMLElement;
+  private readonly empty = h("p", { class: "chart-empty" }, "Plan grasps: the energy of the search is drawn here.");
   private count = 0;
   private x: number[] = [];
   private places: number[] = [];
@@ -50,7 +51,12 @@ export class PlanCharts {
       h("button", { type: "button", title: "Next best state", onclick: step(1) }, "▶"),
       this.text,
     );
-    this.element = h("div", { class: "page-charts" }, h("div", { class: "chart-box" }, this.chart.element, this.strip));
+    this.element = h(
+      "div",
+      { class: "page-charts" },
+      this.empty,
+      h("div", { class: "chart-box" }, this.chart.element, this.strip),
+    );
     this.show(undefined, undefined);
   }
 
@@ -65,6 +71,8 @@ export class PlanCharts {
       rows.map((row) => row.best),
       rows.map((row) => row.state),
     );
+    toggle(this.empty, rows.length === 0);
+    toggle(this.chart.element.parentElement ?? this.chart.element, rows.length > 0);
     this.count = states.length;
     toggle(this.strip, states.length > 0);
     this.slider.max = String(Math.max(0, states.length - 1));

@@ -142,7 +142,6 @@ export class Stage {
     maker.dispose();
     this.sun.shadow.radius = 5;
     this.sun.shadow.bias = -0.0004;
-    this.sun.shadow.normalBias = 0.0015;
     const fill = new DirectionalLight("#9fc4ff", 0.55);
     fill.position.set(-1.2, 0.8, 0.6);
     this.scene.add(this.sun, this.sun.target, fill, this.sky);
@@ -176,6 +175,7 @@ export class Stage {
     this.scene.environment = surroundings ? this.surroundings : null;
     this.sky.intensity = surroundings ? 0.3 : 2.2;
     if (shadow_size > 0) {
+      this.sun.shadow.normalBias = 3.2 / shadow_size;
       this.sun.shadow.mapSize.set(shadow_size, shadow_size);
       this.sun.shadow.map?.dispose();
       this.sun.shadow.map = null;

@@ -98,6 +98,7 @@ function object_section(app: App, change: Change): HTMLElement {
         object_button(one, one.name === choice.object, () => change({ object: one.name, scale: 1 })),
       ),
     );
+    list.querySelector('[aria-pressed="true"]')?.scrollIntoView({ block: "nearest" });
     figures.set({
       size: object.size.map((side) => (side * choice.scale * 1e3).toFixed(0)).join(" × "),
       triangles: short_count(object.triangles),
