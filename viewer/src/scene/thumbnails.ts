@@ -101,7 +101,7 @@ export class Thumbnails {
     const way = new Vector3(base.x - center.x, base.y - center.y, 0);
     const side = way.length() > 0.02 ? new Vector3(-way.y, way.x, 0).normalize() : new Vector3(0.6, -0.8, 0);
     if (side.y > 0) side.negate();
-    const away = (radius * 1.05 + 0.02) / Math.sin((this.camera.fov * Math.PI) / 360);
+    const away = (radius * 0.9 + 0.02) / Math.sin((this.camera.fov * Math.PI) / 360);
     this.camera.position.copy(middle).addScaledVector(side.setZ(0.45).normalize(), away);
     this.camera.lookAt(middle);
   }
