@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
+#include <algorithm>
 #include <cmath>
 
 #include "eigengrasp/grasp/contact_finder.hpp"
@@ -99,11 +100,15 @@ void add_touches(const MeshBvh& solid, const MeshBvh& link, const Pose& X_SL, co
 }  // namespace
 
 std::vector<TouchPoint> find_touch_points(const MeshBvh& solid, const MeshBvh& link, const Pose& X_SL,
-                                          double threshold) {
+                                          double threshold, const DistanceField& field,
+                                          const SeparationFront& front) {
+  std::vector<ClosestPair> pairs;
+  front.for_each_pair_within(solid, link, X_SL, threshold, field,
+                             [&](const ClosestPair& pair) { pairs.push_back(pair); });
+  // The order of the search depends on what was known before.
+  std::ranges::sort(pairs, {}, [](const ClosestPair& p) { return std::pair(p.triangle_b, p.triangle_a); });
   std::vector<TouchPoint> points;
-  for_each_pair_within(solid, link, X_SL, threshold, [&](const ClosestPair& pair) {
-    add_touches(solid, link, X_SL, pair, threshold, points);
-  });
+  for (const ClosestPair& pair : pairs) add_touches(solid, link, X_SL, pair, threshold, points);
   return points;
 }
 
