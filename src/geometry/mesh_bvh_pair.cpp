@@ -123,19 +123,18 @@ void visit_pairs_within(std::span<const NodePair> starts, const MeshBvh& a, cons
                         const std::function<void(const ClosestPair&)>& visit) {
   const auto bound = [&] { return max_distance; };
   const auto bound2 = [&] { return max_distance * max_distance; };
-  detail::descend_from(
-      starts, a, b, X_AB, bound, [&](const MeshBvh::Node& na, const MeshBvh::Node& nb) {
-        return visit_triangles(
-            a, na, b, nb, X_AB, bound2, [&](int ta, const TriangleCorners& s, int tb, const TriangleCorners& t) {
-              if (plane_separates(s, t, max_distance)) return false;
-              ClosestPair pair;
-              pair.distance = closest_points_of_triangles(s, t, pair.p_a, pair.p_b);
-              pair.triangle_a = ta;
-              pair.triangle_b = tb;
-              if (pair.distance <= max_distance) visit(pair);
-              return false;
-            });
-      });
+  detail::descend_from(starts, a, b, X_AB, bound, [&](const MeshBvh::Node& na, const MeshBvh::Node& nb) {
+    return visit_triangles(a, na, b, nb, X_AB, bound2,
+                           [&](int ta, const TriangleCorners& s, int tb, const TriangleCorners& t) {
+                             if (plane_separates(s, t, max_distance)) return false;
+                             ClosestPair pair;
+                             pair.distance = closest_points_of_triangles(s, t, pair.p_a, pair.p_b);
+                             pair.triangle_a = ta;
+                             pair.triangle_b = tb;
+                             if (pair.distance <= max_distance) visit(pair);
+                             return false;
+                           });
+  });
 }
 
 }  // namespace

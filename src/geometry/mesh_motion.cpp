@@ -67,7 +67,8 @@ class FrontSearch {
     for (std::size_t i = 0; i < n; ++i) {
       const Parts parts = front[i];
       if (parts.until >= now_ + best_.time) {
-        front[kept++] = parts;
+        if (kept != i) front[kept] = parts;
+        ++kept;
         continue;
       }
       stack_.push({parts.a, parts.b, 0.0});

@@ -219,7 +219,7 @@ Legality CollisionModel::check_exact(const std::vector<Pose>& X_OL) const {
     const auto& sa = surfaces_.links[static_cast<std::size_t>(a)];
     const auto& sb = surfaces_.links[static_cast<std::size_t>(b)];
     const Pose X_AB = X_OL[static_cast<std::size_t>(a)].inverse() * X_OL[static_cast<std::size_t>(b)];
-    if (!spheres_apart(sa.bound, sb.bound, X_AB) && intersects(sa.bvh, sb.bvh, X_AB, sa.field))
+    if (!spheres_apart(sa.bound, sb.bound, X_AB) && intersects(sa.bvh, sb.bvh, X_AB))
       return Legality::hits_itself;
   }
   return Legality::legal;
@@ -283,7 +283,7 @@ double CollisionModel::deepest_penetration(const std::vector<Pose>& X_OL, const 
     const Pose X_AB = X_OL[a].inverse() * X_OL[b];
     const auto& sa = surfaces_.links[a];
     const auto& sb = surfaces_.links[b];
-    if (spheres_apart(sa.bound, sb.bound, X_AB) || !intersects(sa.bvh, sb.bvh, X_AB, sa.field)) continue;
+    if (spheres_apart(sa.bound, sb.bound, X_AB) || !intersects(sa.bvh, sb.bvh, X_AB)) continue;
     deepest = std::max(deepest, penetration(sa.bvh, hand.links[a].mesh, sb.bvh, hand.links[b].mesh, X_AB));
   }
   return deepest;

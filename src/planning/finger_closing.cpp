@@ -292,8 +292,8 @@ class FingerCloser {
     for (std::vector<Screw>* screws :
          {&screws_a_, &screws_b_})  // those of the motion, in the surface's frame
       for (Screw& s : *screws) s = {R_SO * s.angular, R_SO * s.velocity(X_OS.translation())};
-    return p.front.look(other_surface(p), link, X_OS.inverse() * X_OL, motion, t, margin(), horizon,
-                        field(p), touching);
+    return p.front.look(other_surface(p), link, X_OS.inverse() * X_OL, motion, t, margin(), horizon, field(p),
+                        touching);
   }
 
   /// Bound of the speed at which points of the two come together [m/s].

@@ -9,7 +9,8 @@
 namespace eigengrasp {
 
 /// What the motion that brought a hand into a pose tells of how near its surfaces are to others there: spares
-/// those who ask next most of the search, and changes nothing of what they find. Empty where nothing is known.
+/// those who ask next most of the search, and changes nothing of what they find. Empty where nothing is
+/// known.
 struct HandProximity {
   std::vector<SeparationFront> object_fronts;  ///< (n_links) of the object (a) and each link (b)
   /// Distances [m] that are sure in this pose, 0 where nothing is known: of each link (n_links) from the
