@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <span>
 
 #include "geometry/box_pairs.hpp"
 
@@ -63,26 +64,27 @@ class SortedPairs {
   int n_ = 0;
 };
 
-/// Simultaneous descent of two hierarchies, the nearer pairs first: calls visit(node of a, node of b) for
-/// pairs of leaves of which, and of all above them, the boxes are no farther apart than bound() [m], which
-/// may shrink meanwhile. Stops where visit returns true.
+/// Simultaneous descent of two hierarchies from pairs of nodes, the nearer pairs first: calls visit(node of
+/// a, node of b) for pairs of leaves of which, and of all above them up to the start, the boxes are no
+/// farther apart than bound() [m], which may shrink meanwhile. Stops where visit returns true.
 template <typename Bound, typename Visit>
-void descend(const MeshBvh& a, const MeshBvh& b, const Pose& X_AB, Bound bound, Visit visit) {
-  if (a.empty() || b.empty()) return;
+void descend_from(std::span<const NodePair> starts, const MeshBvh& a, const MeshBvh& b, const Pose& X_AB,
+                  Bound bound, Visit visit) {
+  if (starts.empty()) return;
   BoxPairs boxes(a, b, X_AB);
   NodeStack stack;
   NodePair taken[BoxPairs::most];
   SortedPairs inner;
-  stack.push({0, 0, 0.0});
-  while (!stack.empty()) {
+  std::size_t started = 0;
+  while (!stack.empty() || started < starts.size()) {
     boxes.clear();
-    for (int most = stack.batch(); boxes.size() < most && !stack.empty();) {
-      const NodePair pair = stack.pop();
+    for (int most = stack.batch(); boxes.size() < most && (!stack.empty() || started < starts.size());) {
+      const NodePair pair = stack.empty() ? starts[started++] : stack.pop();
       if (pair.bound > bound()) continue;
       taken[boxes.size()] = pair;
       boxes.add(pair.a, pair.b);
     }
-    if (boxes.size() == 0) break;
+    if (boxes.size() == 0) continue;
     boxes.look_at_gaps();
     inner.clear();
     for (int i = 0; i < boxes.size(); ++i) {
@@ -98,6 +100,13 @@ void descend(const MeshBvh& a, const MeshBvh& b, const Pose& X_AB, Bound bound, 
     }
     for (const NodePair& pair : inner) push_children(a, b, pair, stack);
   }
+}
+
+/// From the roots.
+template <typename Bound, typename Visit>
+void descend(const MeshBvh& a, const MeshBvh& b, const Pose& X_AB, Bound bound, Visit visit) {
+  const NodePair whole{0, 0, 0.0};
+  if (!a.empty() && !b.empty()) descend_from({&whole, 1}, a, b, X_AB, bound, visit);
 }
 
 }  // namespace eigengrasp::detail

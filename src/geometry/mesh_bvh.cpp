@@ -22,7 +22,7 @@ Box box_of(const TriangleCorners& t) {
   return box;
 }
 
-double squared_distance(const Box& box, const Vec3& p) {
+inline double squared_distance(const Box& box, const Vec3& p) {
   const Vec3 outside = (box.min - p).cwiseMax(p - box.max).cwiseMax(Vec3::Zero());
   return outside.squaredNorm();
 }

@@ -49,6 +49,7 @@ class FrontSearch {
         field_(surfaces.field),
         boxes_(a_, b_, X_AB_) {
     best_.time = horizon;
+    clearance_ = margin;
     boxes_.set_motion(surfaces.motion, margin);
   }
 
@@ -66,7 +67,8 @@ class FrontSearch {
     for (std::size_t i = 0; i < n; ++i) {
       const Parts parts = front[i];
       if (parts.until >= now_ + best_.time) {
-        front[kept++] = parts;
+        if (kept != i) front[kept] = parts;
+        ++kept;
         continue;
       }
       stack_.push({parts.a, parts.b, 0.0});
@@ -80,6 +82,8 @@ class FrontSearch {
   }
 
   const FreeTime& best() const { return best_; }
+  /// Distance that all triangles are sure to keep for their times.
+  double clearance() const { return clearance_; }
   const PairHint& nearest() const { return nearest_; }
 
  private:
@@ -205,9 +209,11 @@ class FrontSearch {
     Vec3 p;
     Vec3 q;
     const double d = closest_points_of_triangles(s, t, p, q);
+    const double kept = std::min(margin_, 0.5 * d);
+    clearance_ = std::min(clearance_, kept);
     if (d > 0.0) {
       const double rate = closing_rate(s, t, (q - p) / d);
-      time = std::max(time, time_to_close(d - std::min(margin_, 0.5 * d), rate, acceleration_));
+      time = std::max(time, time_to_close(d - kept, rate, acceleration_));
     }
     if (time < best_.time) {
       best_ = {time, d};
@@ -271,6 +277,7 @@ class FrontSearch {
   NodePair taken_[detail::BoxPairs::most];  ///< those whose boxes are looked at
   detail::SortedPairs inner_;
   FreeTime best_;
+  double clearance_;
   PairHint nearest_;
   Vec3 direction_ = Vec3::Zero();  ///< from a to b, of the nearest triangles
 };
@@ -290,12 +297,15 @@ FreeTime SeparationFront::look(const MeshBvh& a, const MeshBvh& b, const Pose& X
                                const DistanceField& field, double touching) {
   if (a.empty() || b.empty()) {
     free_until_ = infinity;
+    clearance_ = infinity;
     return {horizon, infinity};
   }
   FrontSearch search({a, b, X_AB, motion, field.empty() ? nullptr : &field}, now, margin, horizon, true);
   if (nearest_.triangle_a >= 0) search.look_at(nearest_);
   if (search.best().distance <= touching) return search.best();
+  if (parts_.empty()) clearance_ = margin;
   search.renew(parts_);
+  clearance_ = std::min(clearance_, search.clearance());
   if (search.nearest().triangle_a >= 0) nearest_ = search.nearest();
   free_until_ = infinity;
   for (const Parts& parts : parts_) free_until_ = std::min(free_until_, parts.until);

@@ -59,13 +59,20 @@ Vec3 closest_point_on_triangle(const TriangleCorners& t, const Vec3& p) {
 
 namespace {
 
-inline void closest_between_segments(const Vec3& p0, const Vec3& p1, const Vec3& q0, const Vec3& q1,
-                                     Vec3& on_p, Vec3& on_q) {
-  const Vec3 u = p1 - p0;
-  const Vec3 v = q1 - q0;
-  const Vec3 w = p0 - q0;
-  const double a = u.squaredNorm();
-  const double e = v.squaredNorm();
+struct Segment {
+  Vec3 from;
+  Vec3 to_end;
+  double length2;  ///< squared length
+
+  Segment(const Vec3& p0, const Vec3& p1) : from(p0), to_end(p1 - p0), length2(to_end.squaredNorm()) {}
+};
+
+inline void closest_between_segments(const Segment& p, const Segment& q, Vec3& on_p, Vec3& on_q) {
+  const Vec3& u = p.to_end;
+  const Vec3& v = q.to_end;
+  const Vec3 w = p.from - q.from;
+  const double a = p.length2;
+  const double e = q.length2;
   const double f = v.dot(w);
   double s = 0.0;
   double t = 0.0;
@@ -87,15 +94,15 @@ inline void closest_between_segments(const Vec3& p0, const Vec3& p1, const Vec3&
   } else if (e > 0.0) {
     t = std::clamp(f / e, 0.0, 1.0);
   }
-  on_p = p0 + s * u;
-  on_q = q0 + t * v;
+  on_p = p.from + s * u;
+  on_q = q.from + t * v;
 }
 
 }  // namespace
 
 double closest_points_of_segments(const Vec3& p0, const Vec3& p1, const Vec3& q0, const Vec3& q1, Vec3& on_p,
                                   Vec3& on_q) {
-  closest_between_segments(p0, p1, q0, q1, on_p, on_q);
+  closest_between_segments({p0, p1}, {q0, q1}, on_p, on_q);
   return (on_p - on_q).norm();
 }
 
@@ -179,13 +186,13 @@ double closest_points_of_triangles(const TriangleCorners& s, const TriangleCorne
   };
   for (const Vec3* p : {&s.a, &s.b, &s.c}) take(*p, closest_point_on_triangle(t, *p));
   for (const Vec3* p : {&t.a, &t.b, &t.c}) take(closest_point_on_triangle(s, *p), *p);
-  const Vec3* const cs[4] = {&s.a, &s.b, &s.c, &s.a};
-  const Vec3* const ct[4] = {&t.a, &t.b, &t.c, &t.a};
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) {
+  const Segment of_s[3] = {{s.a, s.b}, {s.b, s.c}, {s.c, s.a}};
+  const Segment of_t[3] = {{t.a, t.b}, {t.b, t.c}, {t.c, t.a}};
+  for (const Segment& i : of_s)
+    for (const Segment& j : of_t) {
       Vec3 p;
       Vec3 q;
-      closest_between_segments(*cs[i], *cs[i + 1], *ct[j], *ct[j + 1], p, q);
+      closest_between_segments(i, j, p, q);
       take(p, q);
     }
   return std::sqrt(best2);

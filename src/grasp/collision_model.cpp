@@ -7,6 +7,7 @@
 
 #include "eigengrasp/core/parallel.hpp"
 #include "eigengrasp/geometry/mesh_motion.hpp"
+#include "eigengrasp/grasp/hand_proximity.hpp"
 
 namespace eigengrasp {
 
@@ -102,14 +103,19 @@ bool inside(const MeshBvh& solid, const DistanceField& field, const Vec3& p) {
   return certain ? field.distance(p) < 0.0 : solid.contains(p);
 }
 
+/// Whether a clearance [m] that is known of two surfaces rules out that they cross, rounding and all.
+bool rules_out_crossing(double clearance) {
+  return clearance > 1e-6;
+}
+
 /// A surface that crosses no other is inside it where any of its points is. @param field of the solid, or
-/// empty
+/// empty @param clearance that is known, or 0
 CollisionModel::ObjectOverlap overlap(const MeshBvh& solid, const DistanceField& field,
-                                      const HandSurfaces::LinkSurface& link, const Pose& X_SL) {
+                                      const HandSurfaces::LinkSurface& link, const Pose& X_SL,
+                                      double clearance = 0.0) {
   CollisionModel::ObjectOverlap result;
   if (link.empty() || box_apart(solid.box(), moved(link.bound, X_SL))) return result;
-  const bool apart = !field.empty() && certain_distance(field, X_SL * link.bound.center) > link.bound.radius;
-  result.crosses = !apart && intersects(solid, link.bvh, X_SL);
+  result.crosses = !rules_out_crossing(clearance) && intersects(solid, link.bvh, X_SL, field);
   if (!result.crosses)
     result.contained = inside(solid, field, X_SL * link.bvh.corners(0).a) ||
                        inside(link.bvh, link.field, X_SL.inverse() * solid.corners(0).a);
@@ -248,23 +254,32 @@ double penetration(const MeshBvh& a, const TriangleMesh& mesh_a, const MeshBvh& 
 
 }  // namespace
 
-double CollisionModel::deepest_penetration(const std::vector<Pose>& X_OL) const {
+double CollisionModel::deepest_penetration(const std::vector<Pose>& X_OL, const HandProximity* known) const {
   const HandModel& hand = *scene_.hand;
+  const std::size_t n = X_OL.size();
+  const auto clearance = [known](const std::vector<double> HandProximity::*of, std::size_t i) {
+    return known != nullptr && i < (known->*of).size() ? (known->*of)[i] : 0.0;
+  };
   double deepest = 0.0;
   const auto add = [&](const ObjectModel& solid, const DistanceField& field, std::size_t link,
-                       const Pose& X_SL) {
-    const ObjectOverlap o = overlap(solid.bvh, field, surfaces_.links[link], X_SL);
+                       const Pose& X_SL, double clear) {
+    const ObjectOverlap o = overlap(solid.bvh, field, surfaces_.links[link], X_SL, clear);
     if (o.crosses || o.contained)
       deepest = std::max(deepest, penetration(solid.bvh, solid.mesh, surfaces_.links[link].bvh,
                                               hand.links[link].mesh, X_SL));
   };
-  for (std::size_t i = 0; i < X_OL.size(); ++i) {
-    add(*scene_.object, object_field_, i, X_OL[i]);
-    for (const Obstacle& o : scene_.obstacles) add(*o.model, {}, i, o.X_OB.inverse() * X_OL[i]);
+  for (std::size_t i = 0; i < n; ++i) {
+    add(*scene_.object, object_field_, i, X_OL[i], clearance(&HandProximity::object_clearance, i));
+    for (std::size_t k = 0; k < scene_.obstacles.size(); ++k) {
+      const Obstacle& o = scene_.obstacles[k];
+      add(*o.model, {}, i, o.X_OB.inverse() * X_OL[i],
+          clearance(&HandProximity::obstacle_clearance, k * n + i));
+    }
   }
-  for (const auto& pair : hand.collision_pairs) {
-    const auto a = static_cast<std::size_t>(pair[0]);
-    const auto b = static_cast<std::size_t>(pair[1]);
+  for (std::size_t k = 0; k < hand.collision_pairs.size(); ++k) {
+    if (rules_out_crossing(clearance(&HandProximity::pair_clearance, k))) continue;
+    const auto a = static_cast<std::size_t>(hand.collision_pairs[k][0]);
+    const auto b = static_cast<std::size_t>(hand.collision_pairs[k][1]);
     const Pose X_AB = X_OL[a].inverse() * X_OL[b];
     const auto& sa = surfaces_.links[a];
     const auto& sb = surfaces_.links[b];

@@ -34,9 +34,10 @@ double torsion_length(const CollisionModel& model, std::size_t link, const Pose&
 }  // namespace
 
 std::vector<GraspContact> find_contacts(const CollisionModel& model, const std::vector<Pose>& X_OL,
-                                        const ContactOptions& options) {
+                                        const ContactOptions& options, const HandProximity* known) {
   const Scene& scene = model.scene();
   std::vector<GraspContact> contacts;
+  const SeparationFront nothing_known;
   int patch_number = 0;
   for (std::size_t i = 0; i < X_OL.size(); ++i) {
     const auto& surface = model.surfaces().links[i];
@@ -46,7 +47,10 @@ std::vector<GraspContact> find_contacts(const CollisionModel& model, const std::
             surface.bound.radius + options.threshold)
       continue;
     const HandLink& link = scene.hand->links[i];
-    const auto touches = find_touch_points(scene.object->bvh, surface.bvh, X_OL[i], options.threshold);
+    const bool has_front = known != nullptr && i < known->object_fronts.size();
+    const auto touches =
+        find_touch_points(scene.object->bvh, surface.bvh, X_OL[i], options.threshold, model.object_field(),
+                          has_front ? known->object_fronts[i] : nothing_known);
     for (const auto& patch : make_patches(touches, options.merge)) {
       for (const TouchPoint& t : patch) {
         ContactPoint c{t.p, t.n, contact_friction(link.material, scene.object_material), 0.0};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
+#include <algorithm>
 #include <cmath>
 
 #include "eigengrasp/grasp/contact_finder.hpp"
@@ -50,13 +51,30 @@ Vec3 contact_normal(const ClosestPair& pair, const TriangleCorners& solid, const
   return wrong ? Vec3(-n) : n;
 }
 
+constexpr double clearly_nearer = 0.9;
+
 /// Whether no other point of either surface is clearly nearer: an edge beside the face that really touches is
 /// not where two surfaces touch.
-bool nearest_to_each_other(const MeshBvh& solid, const MeshBvh& link, const Pose& X_LS,
+bool nearest_to_each_other(const MeshBvh& solid, const MeshBvh& link, const Pose& X_SL,
                            const ClosestPair& pair) {
-  const double clearly = 0.9 * pair.distance;
-  return link.closest_point(X_LS * pair.p_a, clearly).triangle < 0 &&
-         solid.closest_point(pair.p_b, clearly).triangle < 0;
+  const double nearer = clearly_nearer * pair.distance;
+  return link.closest_point(X_SL.inverse() * pair.p_a, nearer).triangle < 0 &&
+         solid.closest_point(pair.p_b, nearer).triangle < 0;
+}
+
+/// The same, told by the pairs of all triangles that are at most as far apart.
+bool nearest_to_each_other(const MeshBvh& solid, const MeshBvh& link, const Pose& X_SL,
+                           const ClosestPair& pair, const std::vector<ClosestPair>& all) {
+  const double nearer = clearly_nearer * pair.distance;
+  const auto is_near = [nearer](const TriangleCorners& t, const Vec3& p) {
+    return (closest_point_on_triangle(t, p) - p).squaredNorm() < nearer * nearer;
+  };
+  return std::ranges::none_of(all, [&](const ClosestPair& other) {
+    if (other.distance >= nearer) return false;
+    return (other.triangle_a == pair.triangle_a &&
+            is_near(posed(X_SL, link.corners(other.triangle_b)), pair.p_a)) ||
+           (other.triangle_b == pair.triangle_b && is_near(solid.corners(other.triangle_a), pair.p_b));
+  });
 }
 
 /// All corners of the region in which two nearly parallel faces are within the threshold: corners of one over
@@ -79,9 +97,10 @@ void add_overlap(const TriangleCorners& s, const TriangleCorners& t, double thre
     }
 }
 
-/// What two triangles add to the touching points.
+/// What two triangles add to the touching points. @param nearest whether nearest_to_each_other
+template <typename Nearest>
 void add_touches(const MeshBvh& solid, const MeshBvh& link, const Pose& X_SL, const ClosestPair& pair,
-                 double threshold, std::vector<TouchPoint>& points) {
+                 double threshold, Nearest nearest, std::vector<TouchPoint>& points) {
   constexpr double parallel = -0.999;  // cosine of the normals
   const TriangleCorners& s = solid.corners(pair.triangle_a);
   const TriangleCorners t = posed(X_SL, link.corners(pair.triangle_b));
@@ -90,8 +109,7 @@ void add_touches(const MeshBvh& solid, const MeshBvh& link, const Pose& X_SL, co
   const Vec3 ns = unit_normal(s);
   if (ns.dot(unit_normal(t)) < parallel && std::abs(ns.dot(pair.p_a - pair.p_b)) > 0.999 * pair.distance) {
     add_overlap(s, t, threshold, -ns, pair.triangle_b, points);
-  } else if (on_face(s, pair.p_a) || on_face(t, pair.p_b) || pair.distance <= 2e-5 ||
-             nearest_to_each_other(solid, link, X_SL.inverse(), pair)) {
+  } else if (on_face(s, pair.p_a) || on_face(t, pair.p_b) || pair.distance <= 2e-5 || nearest(pair)) {
     points.push_back({pair.p_a, n, pair.distance, pair.triangle_b});
   }
 }
@@ -99,11 +117,18 @@ void add_touches(const MeshBvh& solid, const MeshBvh& link, const Pose& X_SL, co
 }  // namespace
 
 std::vector<TouchPoint> find_touch_points(const MeshBvh& solid, const MeshBvh& link, const Pose& X_SL,
-                                          double threshold) {
+                                          double threshold, const DistanceField& field,
+                                          const SeparationFront& front) {
+  std::vector<ClosestPair> pairs;
+  front.for_each_pair_within(solid, link, X_SL, threshold, field,
+                             [&](const ClosestPair& pair) { pairs.push_back(pair); });
+  // The order of the search depends on what was known before.
+  std::ranges::sort(pairs, {}, [](const ClosestPair& p) { return std::pair(p.triangle_b, p.triangle_a); });
   std::vector<TouchPoint> points;
-  for_each_pair_within(solid, link, X_SL, threshold, [&](const ClosestPair& pair) {
-    add_touches(solid, link, X_SL, pair, threshold, points);
-  });
+  const auto nearest = [&](const ClosestPair& p) {
+    return nearest_to_each_other(solid, link, X_SL, p, pairs);
+  };
+  for (const ClosestPair& pair : pairs) add_touches(solid, link, X_SL, pair, threshold, nearest, points);
   return points;
 }
 
@@ -116,7 +141,8 @@ std::vector<TouchPoint> find_touch_points(const MeshBvh& solid, const MeshBvh& l
   pair.triangle_b = triangles.triangle_b;
   pair.distance = closest_points_of_triangles(solid.corners(pair.triangle_a),
                                               posed(X_SL, link.corners(pair.triangle_b)), pair.p_a, pair.p_b);
-  if (pair.distance <= threshold) add_touches(solid, link, X_SL, pair, threshold, points);
+  const auto nearest = [&](const ClosestPair& p) { return nearest_to_each_other(solid, link, X_SL, p); };
+  if (pair.distance <= threshold) add_touches(solid, link, X_SL, pair, threshold, nearest, points);
   return points;
 }
 

@@ -45,7 +45,7 @@ CandidateResult test_candidate(const CollisionModel& model, const GraspEnergy& e
   const ClosedHand closed = close_fingers(model, pregrasp.X_OH, pregrasp.dofs);
   g.grasp_dofs = closed.dofs;
   g.grasp_joints = named_joints(hand, closed.joints);
-  g.contacts = find_contacts(model, closed.X_OL);
+  g.contacts = find_contacts(model, closed.X_OL, {}, &closed.proximity);
   if (g.contacts.empty()) return result;
 
   // One contact never closes.
@@ -54,7 +54,7 @@ CandidateResult test_candidate(const CollisionModel& model, const GraspEnergy& e
       points.size() < 2 ? WrenchSpaceQuality{} : compute_epsilon(points, energy.wrench_space());
   g.epsilon = quality.epsilon;
   g.form_closure = quality.form_closure;
-  g.max_penetration = model.deepest_penetration(closed.X_OL);
+  g.max_penetration = model.deepest_penetration(closed.X_OL, &closed.proximity);
   if (g.max_penetration > deepest_allowed) {
     g.form_closure = false;
     result.outcome = CandidateOutcome::penetrating;

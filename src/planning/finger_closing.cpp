@@ -27,6 +27,7 @@ struct Pair {
   int first_joint = 0;  ///< of the joints that move the other surface, then the link, in the list of all
   int first_of_link = 0;
   int end_joint = 0;
+  double clearance = infinity;  ///< distance [m] that the two are sure to keep, as all looks have told
 };
 
 /// Index of the least value, of the first where there are several; in a form for vector registers.
@@ -71,6 +72,7 @@ class FingerCloser {
     result.joints = motion_.joint_values(result.started_in_collision ? 0.0 : close(result.steps));
     result.dofs = posture_of_joints(hand_, result.joints);
     compute_link_poses(hand_, result.joints, X_OH_, result.X_OL);
+    if (!result.started_in_collision) result.proximity = take_proximity();
     return result;
   }
 
@@ -89,6 +91,31 @@ class FingerCloser {
       if (presses(next, t) || look(next, t).time < least_progress * tick_) stop(next, t);
     }
     return motion_.end();
+  }
+
+  /// Each pair was looked at until it was sure to stay apart to the end, or its contact had stopped it.
+  HandProximity take_proximity() {
+    HandProximity known;
+    const std::size_t n_links = hand_.links.size();
+    known.object_fronts.resize(n_links);
+    known.object_clearance.resize(n_links, 0.0);
+    known.obstacle_clearance.resize(n_links * model_.scene().obstacles.size(), 0.0);
+    for (Pair& p : pairs_) {
+      const auto link = static_cast<std::size_t>(p.link);
+      switch (p.kind) {
+        case Pair::Kind::object:
+          known.object_clearance[link] = p.clearance;
+          known.object_fronts[link] = std::move(p.front);
+          break;
+        case Pair::Kind::obstacle:
+          known.obstacle_clearance[static_cast<std::size_t>(p.other) * n_links + link] = p.clearance;
+          break;
+        case Pair::Kind::links:  // in the order of the hand's list
+          known.pair_clearance.push_back(p.clearance);
+          break;
+      }
+    }
+    return known;
   }
 
   void measure_hand() {
@@ -158,6 +185,12 @@ class FingerCloser {
     }
   }
 
+  /// Of the other surface, where it is at rest and has one; else empty.
+  const DistanceField& field(const Pair& p) const {
+    static const DistanceField none;
+    return p.kind == Pair::Kind::object ? model_.object_field() : none;
+  }
+
   Pose other_pose(const Pair& p, double t) {
     switch (p.kind) {
       case Pair::Kind::obstacle:
@@ -212,9 +245,11 @@ class FingerCloser {
       if (p.kind == Pair::Kind::links) free.time = time_of_bounds(p, motion, t);
       if (p.kind == Pair::Kind::links && free.time >= horizon) {
         free_until = t + free.time;
+        p.clearance = std::min(p.clearance, margin());
       } else {
         free = time_of_surfaces(p, motion, t, horizon, touching);
         free_until = p.front.free_until();
+        p.clearance = std::min(p.clearance, p.front.clearance());
       }
     }
     // Pairs that are looked at together share the poses.
@@ -251,14 +286,13 @@ class FingerCloser {
     const Pose& X_OL = motion_.pose(p.link, t);
     const MeshBvh& link = surface(p.link).bvh;
     if (p.kind == Pair::Kind::object)
-      return p.front.look(other_surface(p), link, X_OL, motion, t, margin(), horizon, model_.object_field(),
-                          touching);
+      return p.front.look(other_surface(p), link, X_OL, motion, t, margin(), horizon, field(p), touching);
     const Pose X_OS = other_pose(p, t);
     const Mat3 R_SO = X_OS.linear().transpose();
     for (std::vector<Screw>* screws :
          {&screws_a_, &screws_b_})  // those of the motion, in the surface's frame
       for (Screw& s : *screws) s = {R_SO * s.angular, R_SO * s.velocity(X_OS.translation())};
-    return p.front.look(other_surface(p), link, X_OS.inverse() * X_OL, motion, t, margin(), horizon, {},
+    return p.front.look(other_surface(p), link, X_OS.inverse() * X_OL, motion, t, margin(), horizon, field(p),
                         touching);
   }
 
@@ -291,7 +325,8 @@ class FingerCloser {
     // Mostly the triangles that were seen to touch tell.
     return std::ranges::any_of(find_touch_points(other_surface(p), link, X_SL, reach, p.front.nearest()),
                                pressed) ||
-           std::ranges::any_of(find_touch_points(other_surface(p), link, X_SL, reach), pressed);
+           std::ranges::any_of(find_touch_points(other_surface(p), link, X_SL, reach, field(p), p.front),
+                               pressed);
   }
 
   /// Stops the moving joints between the pair's links, or between the link and the base.

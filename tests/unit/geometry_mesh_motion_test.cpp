@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "support/gripper.hpp"
 #include "support/solid_shapes.hpp"
 
@@ -121,6 +123,23 @@ struct MovingPair {
   }
 };
 
+using TrianglePairs = std::map<std::pair<int, int>, double>;
+
+/// The front finds the same pairs of triangles as a search from the roots.
+void expect_same_pairs(const SeparationFront& front, const MeshBvh& a, const MeshBvh& b, const Pose& X_AB,
+                       const DistanceField& field) {
+  constexpr double reach = 0.004;
+  TrianglePairs found, expected;
+  const auto add_to = [](TrianglePairs& pairs) {
+    return [&pairs](const ClosestPair& p) {
+      EXPECT_TRUE(pairs.emplace(std::pair(p.triangle_a, p.triangle_b), p.distance).second) << "twice";
+    };
+  };
+  front.for_each_pair_within(a, b, X_AB, reach, field, add_to(found));
+  for_each_pair_within(a, b, X_AB, reach, add_to(expected));
+  EXPECT_EQ(found, expected);
+}
+
 /// Looks until time `end` or until the two nearly touch; the distances on the way are exact ones.
 void follow(const MeshBvh& a, const MeshBvh& b, const MovingPair& pair, const DistanceField& field,
             double end, int& touches) {
@@ -137,15 +156,19 @@ void follow(const MeshBvh& a, const MeshBvh& b, const MovingPair& pair, const Di
         front.look(a, b, pair.at(t), {screws_a, screws_b, acceleration}, t, margin, 0.1, field);
     ASSERT_GT(free.time, 0.0);
     ASSERT_GE(front.free_until(), t + free.time);
+    ASSERT_GT(front.clearance(), 0.0);
+    if (looks % 4 == 0) expect_same_pairs(front, a, b, pair.at(t), field);
     if (free.distance <= 2.0 * margin) {
       EXPECT_LE(before, 2.0 * margin);
       ++touches;
       return;
     }
     const double until = std::min(front.free_until(), end);
-    for (const double share : {0.3, 0.7, 0.95, 1.0})
-      ASSERT_GE(closest_pair(a, b, pair.at(t + share * (until - t))).distance,
-                std::min(margin, 0.5 * before) - 1e-9);
+    for (const double share : {0.3, 0.7, 0.95, 1.0}) {
+      const double distance = closest_pair(a, b, pair.at(t + share * (until - t))).distance;
+      ASSERT_GE(distance, std::min(margin, 0.5 * before) - 1e-9);
+      ASSERT_GE(distance, front.clearance() - 1e-12);
+    }
     t = looks % 3 == 2 ? 0.5 * (t + until) : until;  // to look earlier is allowed
   }
 }
@@ -177,6 +200,46 @@ TEST(SeparationFront, SeesSurfacesThatCross) {
       SeparationFront().look(a, b, Pose(Eigen::Translation3d(0.03, 0.0, 0.0)), {}, 0.0, margin, 1.0);
   EXPECT_EQ(free.time, 0.0);
   EXPECT_EQ(free.distance, 0.0);
+}
+
+TEST(SeparationFront, FindsNearPairsBeforeTheFirstLookAndInAnyPose) {
+  RandomStream random{9};
+  const MeshBvh a(torus_mesh(0.03, 0.01, 24));
+  const MeshBvh b(ball_mesh(0.02, 10));
+  const DistanceField field(a);
+  SeparationFront front;
+  for (int i = 0; i < 100; ++i) {
+    const Pose X_AB = any_pose(random, 0.05);
+    expect_same_pairs(SeparationFront(), a, b, X_AB, i % 2 == 0 ? field : DistanceField());
+    expect_same_pairs(front, a, b, X_AB, field);
+    if (i == 0) front.look(a, b, X_AB, {}, 0.0, margin, 1.0, field);
+  }
+}
+
+TEST(SeparationFront, HasNoClearanceAfterACrossing) {
+  const MeshBvh a(box_mesh({0.05, 0.02, 0.08}));
+  const MeshBvh b(ball_mesh(0.02, 10));
+  SeparationFront front;
+  EXPECT_EQ(front.clearance(), 0.0);
+  front.look(a, b, Pose(Eigen::Translation3d(0.03, 0.0, 0.0)), {}, 0.0, margin, 1.0);
+  EXPECT_EQ(front.clearance(), 0.0);
+}
+
+TEST(Intersects, IsTheSameWithAField) {
+  RandomStream random{10};
+  const MeshBvh a(torus_mesh(0.03, 0.01, 24));
+  const MeshBvh b(testing::capsule_mesh(0.008, 0.03));
+  const DistanceField field(a);
+  int crossing = 0;
+  for (int i = 0; i < 500; ++i) {
+    const Pose X_AB = any_pose(random, 0.06);
+    const bool expected = intersects(a, b, X_AB);
+    EXPECT_EQ(intersects(a, b, X_AB, field), expected) << i;
+    EXPECT_EQ(intersects(a, b, X_AB, DistanceField()), expected) << i;
+    crossing += expected;
+  }
+  EXPECT_GT(crossing, 50);
+  EXPECT_LT(crossing, 450);
 }
 
 TEST(FreeTime, CertainDistancesAreLowerBounds) {

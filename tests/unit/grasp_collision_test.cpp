@@ -3,6 +3,8 @@
 // What a hand may not touch: fast and exact checks of simple hands whose collisions are known.
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "eigengrasp/kinematics/forward_kinematics.hpp"
 #include "support/parallel_gripper.hpp"
 
@@ -113,6 +115,28 @@ TEST(CollisionModel, FastAgreesWithExactButForShallowIntrusions) {
   }
   EXPECT_GT(legal, 100);
   EXPECT_GT(illegal, 100);
+}
+
+// The fields of the object and of the links spare search and decide nothing.
+TEST(CollisionModel, ExactChecksAreTheSameWithAndWithoutFields) {
+  RandomStream random{2};
+  const Scene scene = scene_of(testing::two_finger_hand(), solid(testing::torus_mesh(0.03, 0.012)));
+  const CollisionModel with(scene, {});
+  const CollisionModel without = testing::exact_model(scene);
+  std::map<Legality, int> found;
+  for (int i = 0; i < 600; ++i) {
+    const VecX posture = VecX::Constant(2, random.uniform(-0.2, 1.2));
+    std::vector<Pose> X_OL;
+    compute_link_poses(*scene.hand, joint_values(*scene.hand, posture), testing::any_pose(random, 0.12),
+                       X_OL);
+    EXPECT_EQ(with.check_exact(X_OL), without.check_exact(X_OL)) << i;
+    if (i % 10 == 0) {
+      EXPECT_EQ(with.deepest_penetration(X_OL), without.deepest_penetration(X_OL)) << i;
+    }
+    ++found[without.check_exact(X_OL)];
+  }
+  EXPECT_GT(found[Legality::legal], 50);
+  EXPECT_GT(found[Legality::hits_object], 50);
 }
 
 TEST(CollisionModel, DeepestPenetrationOfAKnownOverlap) {

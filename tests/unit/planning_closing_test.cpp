@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "eigengrasp/grasp/contact_finder.hpp"
 #include "eigengrasp/kinematics/forward_kinematics.hpp"
 #include "support/parallel_gripper.hpp"
 
@@ -145,6 +146,82 @@ TEST(CloseFingers, IsDeterministicAndNeverPenetrates) {
     ++closed_hands;
   }
   EXPECT_GT(closed_hands, 10);
+}
+
+void expect_same(const std::vector<GraspContact>& a, const std::vector<GraspContact>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(a[i].link, b[i].link);
+    EXPECT_EQ(a[i].patch, b[i].patch);
+    EXPECT_EQ(a[i].point.p_OC, b[i].point.p_OC);
+    EXPECT_EQ(a[i].point.n_OC, b[i].point.n_OC);
+    EXPECT_EQ(a[i].point.mu, b[i].point.mu);
+    EXPECT_EQ(a[i].point.torsion_length, b[i].point.torsion_length);
+  }
+}
+
+// What closing knows spares search and changes nothing, to the last bit; with and without fields.
+TEST(CloseFingers, WhatIsKnownOfTheClosedHandChangesNoContact) {
+  auto hand = testing::two_finger_hand();
+  set_collision_pairs(*hand, {});
+  for (HandLink& link : hand->links) link.material.youngs_modulus = 1.5e6;
+  const Obstacle post{solid(box_mesh({0.02, 0.02, 0.2})), at(-0.07, 0.0, 0.1)};
+  const Scene scene = scene_of(hand, solid(testing::torus_mesh(0.03, 0.012)), {post});
+  int contacts = 0;
+  for (const bool fast : {false, true}) {
+    CollisionModel::Options options;
+    options.fast = fast;
+    const CollisionModel model(scene, options);
+    RandomStream random{7};
+    for (int i = 0; i < 60; ++i) {
+      const Pose X_OH = testing::any_pose(random, 0.1);
+      const ClosedHand closed = close_fingers(model, X_OH, hand->rest_posture());
+      const auto found = find_contacts(model, closed.X_OL);
+      expect_same(find_contacts(model, closed.X_OL, {}, &closed.proximity), found);
+      EXPECT_EQ(model.deepest_penetration(closed.X_OL, &closed.proximity),
+                model.deepest_penetration(closed.X_OL));
+      EXPECT_EQ(closed.proximity.object_clearance.empty(), closed.started_in_collision);
+      contacts += static_cast<int>(found.size());
+    }
+  }
+  EXPECT_GT(contacts, 100);
+}
+
+// No distance between the closed hand's surfaces is less than what is known of it.
+TEST(CloseFingers, KnownClearancesAreKept) {
+  const Obstacle post{solid(box_mesh({0.02, 0.02, 0.2})), at(-0.05, 0.0, 0.1)};
+  const auto hand = testing::two_finger_hand();
+  set_collision_pairs(*hand, {});
+  const Scene scene = scene_of(hand, solid(testing::ball_mesh(0.02)), {post});
+  const CollisionModel model = exact_model(scene);
+  const auto n_links = static_cast<std::size_t>(scene.hand->n_links());
+  RandomStream random{8};
+  int known_pairs = 0;
+  for (int i = 0; i < 100; ++i) {
+    const Pose X_OH = testing::any_pose(random, 0.1);
+    const ClosedHand closed = close_fingers(model, X_OH, scene.hand->rest_posture());
+    if (closed.started_in_collision) continue;
+    const HandProximity& known = closed.proximity;
+    ASSERT_EQ(known.object_clearance.size(), n_links);
+    ASSERT_EQ(known.obstacle_clearance.size(), n_links);
+    ASSERT_EQ(known.pair_clearance.size(), scene.hand->collision_pairs.size());
+    EXPECT_EQ(known.object_clearance[0], 0.0) << "the base does not move and is not followed";
+    for (std::size_t link = 1; link < n_links; ++link) {
+      const int number = static_cast<int>(link);
+      const Pose& X = closed.X_OL[link];
+      EXPECT_GT(known.object_clearance[link], 0.0);
+      EXPECT_GT(known.obstacle_clearance[link], 0.0);
+      EXPECT_GE(model.distance_to_object(number, X, 1.0), known.object_clearance[link]);
+      EXPECT_GE(model.distance_to_obstacle(0, number, X, 1.0), known.obstacle_clearance[link]);
+    }
+    for (std::size_t k = 0; k < known.pair_clearance.size(); ++k) {
+      const auto& [a, b] = scene.hand->collision_pairs[k];
+      EXPECT_GT(known.pair_clearance[k], 0.0);
+      EXPECT_GE(model.distance_of_links(a, b, closed.X_OL, 1.0), known.pair_clearance[k]);
+      ++known_pairs;
+    }
+  }
+  EXPECT_GT(known_pairs, 40);
 }
 
 }  // namespace

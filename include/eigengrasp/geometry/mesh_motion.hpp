@@ -64,6 +64,16 @@ class SeparationFront {
   /// not bound by its horizon. 0 before the first.
   double free_until() const { return free_until_; }
 
+  /// Distance [m] that the surfaces are sure to keep up to free_until(): more than 0 where they did not cross
+  /// at any look. 0 before the first.
+  double clearance() const { return clearance_; }
+
+  /// As the function of that name, in another order: goes on with the parts that are kept, or with the whole
+  /// surfaces before the first look. The pose may be any. @param field of surface a, or empty
+  void for_each_pair_within(const MeshBvh& a, const MeshBvh& b, const Pose& X_AB, double max_distance,
+                            const DistanceField& field,
+                            const std::function<void(const ClosestPair&)>& visit) const;
+
   /// The triangles that limited the last time that any limited; -1 before.
   const PairHint& nearest() const { return nearest_; }
 
@@ -78,7 +88,12 @@ class SeparationFront {
   std::vector<Parts> parts_;
   PairHint nearest_;
   double free_until_ = 0.0;
+  double clearance_ = 0.0;
 };
+
+/// As intersects of the two hierarchies. @param field of surface a: keeps far parts of b away, which saves
+/// much of the search
+bool intersects(const MeshBvh& a, const MeshBvh& b, const Pose& X_AB, const DistanceField& field);
 
 /// Certain lower bound [m] of the distance from p to the surface of which the field is; may be negative. A
 /// value between grid nodes is off by less than sqrt(3)/2 of a cell, and at n cells from the surface by less

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "eigengrasp/grasp/collision_model.hpp"
+#include "eigengrasp/grasp/hand_proximity.hpp"
 
 namespace eigengrasp {
 
@@ -17,6 +18,7 @@ struct ClosedHand {
   std::vector<Pose> X_OL;             ///< (n_links)
   int steps = 0;                      ///< looks at pairs of surfaces
   bool started_in_collision = false;  ///< then nothing was moved
+  HandProximity proximity;            ///< what is known of the closed hand; empty if it started in collision
 };
 
 /// "Close all fingers": every degree of freedom moves at its closing speed until contact with the object, an
