@@ -11,6 +11,8 @@ namespace {
 
 constexpr double largest_jump = 1.0 / 3.0;  ///< of a variable, share of its range (GraspIt!)
 
+constexpr double before_object = 0.05;  // [m] no grasp is farther from the object's ball
+
 /// Range after a target: as it was without confidence, the value alone with full confidence.
 ApproachSpace::Range towards(const ApproachSpace::Range& range, double value, double confidence) {
   const double wide = (1.0 - confidence) * (range.high - range.low);
@@ -46,11 +48,13 @@ void ApproachSpace::follow(const Pose& X_OW) {
   const HandModel& hand = *scene_.hand;
   const ObjectModel& object = *scene_.object;
   const Vec3 apex = X_OW * hand.approach_point_H;
-  const double behind = (object.center_of_mass - apex).norm() + object.max_radius;
-  const double farthest = std::min(look_ahead_, behind);
+  const double center = (object.center_of_mass - apex).norm();
+  const double farthest = std::min(look_ahead_, center + object.max_radius);
+  const double nearest =
+      std::max(-step_back_, std::min(farthest, center - object.max_radius - before_object));
   const auto range = [](double low, double high) { return Range{low, high, largest_jump * (high - low)}; };
   ranges_.assign(
-      {range(-step_back_, farthest), range(-half_angle_, half_angle_), range(-half_angle_, half_angle_)});
+      {range(nearest, farthest), range(-half_angle_, half_angle_), range(-half_angle_, half_angle_)});
   for (int i = 0; i < n_amplitudes_; ++i) ranges_.push_back(range(postures_[i].min, postures_[i].max));
   narrow_ranges();
 }

@@ -32,7 +32,8 @@ class ApproachSpace {
  public:
   ApproachSpace(const Scene& scene, const OnlineOptions& options);
 
-  /// Takes up a wrist pose: the region begins there, and ends behind the object or at the look-ahead.
+  /// Takes up a wrist pose: the region begins there, or a little before the object where that
+  /// is farther on, and ends behind the object or at the look-ahead.
   void follow(const Pose& X_OW);
   /// Ranges towards what the operator asks for; targets of degrees of freedom are not for this space.
   void aim(std::vector<VariableTarget> targets);

@@ -16,7 +16,9 @@ constexpr double palm_approach = 0.030;   // [m], see test_pregrasp
 constexpr double new_direction = 0.35;    // [rad] the wrist has turned: a new approach
 constexpr double new_line = 0.05;         // [m] the wrist has moved sideways: a new approach
 constexpr double ask_again = 0.05;        // [s] between two tests of the hand as it is shown
+constexpr std::size_t tests_of_now = 4;   // of the shown hand, that its epsilon is the lowest of
 constexpr std::size_t most_postures = 4;  // that "close" tries
+constexpr double holds_well = 0.02;  // epsilon of the shown posture, above which it is not asked for others
 
 PlanOptions energy_options(const OnlineOptions& options) {
   PlanOptions o;
@@ -143,7 +145,8 @@ void OnlinePlanner::Work::test() {
     if (now) {
       const std::optional<Grasp> grasp = grasp_now(now->X_OH, {now->dofs});
       const std::scoped_lock lock(mutex_);
-      epsilon_now_ = grasp && grasp->form_closure ? grasp->epsilon : -1.0;
+      epsilons_now_.push_back(grasp && grasp->form_closure ? grasp->epsilon : -1.0);
+      if (epsilons_now_.size() > tests_of_now) epsilons_now_.pop_front();
     } else {
       const TestedPreGrasp tested = test_pregrasp(*model_, energy_, std::move(*candidate), palm_approach);
       const std::scoped_lock lock(mutex_);
@@ -177,7 +180,7 @@ std::optional<Grasp> OnlinePlanner::Work::grasp_now(const Pose& X_OH,
     const Grasp& g = tested.result.grasp;
     if (tested.result.tests == 0 || g.contacts.empty()) continue;
     if (!best || (g.form_closure && g.epsilon > best->epsilon)) best = g;
-    if (i == 0 && g.form_closure) break;  // what is shown is what is meant
+    if (i == 0 && g.epsilon >= holds_well) break;  // what is shown is what is meant
   }
   return best;
 }
@@ -214,7 +217,7 @@ void OnlinePlanner::Work::open() {
   if (phase_ != OnlinePhase::holding) return;
   shown_.let_go(*held_);
   held_.reset();
-  epsilon_now_.reset();
+  epsilons_now_.clear();
   phase_ = OnlinePhase::approach;
   wake_search_.notify_one();
   wake_tests_.notify_all();
@@ -239,7 +242,7 @@ std::optional<Grasp> OnlinePlanner::Work::solution(std::uint64_t id) const {
 void OnlinePlanner::Work::ask_about_now(double now) {
   const bool near = solutions_.offered() && shown_.preshape() > 0.0;
   if (!near) {
-    epsilon_now_.reset();
+    epsilons_now_.clear();
     return;
   }
   if (now - now_asked_ < ask_again) return;
@@ -295,9 +298,16 @@ OnlineView OnlinePlanner::Work::view(double now) const {
       v.offer_dofs = g->pregrasp_dofs;
     }
   }
-  v.epsilon_now = held_ ? std::optional(held_->form_closure ? held_->epsilon : -1.0) : epsilon_now_;
+  v.epsilon_now = epsilon_now();
   v.message = message();
   return v;
+}
+
+/// Of the grasp that is held; before that what closing would make at worst, as the hand trembles.
+std::optional<double> OnlinePlanner::Work::epsilon_now() const {
+  if (held_) return held_->form_closure ? held_->epsilon : -1.0;
+  if (epsilons_now_.size() < tests_of_now) return std::nullopt;
+  return *std::min_element(epsilons_now_.begin(), epsilons_now_.end());
 }
 
 std::string OnlinePlanner::Work::message() const {
@@ -313,7 +323,7 @@ std::string OnlinePlanner::Work::message() const {
   }
   if (shown_.blocked()) return "The wrist is inside something: the hand stays where it is free. Draw back.";
   if (!solutions_.offered()) return "Searching ahead of the hand; no grasp in this direction yet.";
-  if (epsilon_now_ && *epsilon_now_ > 0.0) return "Ready: closing the fingers now makes a stable grasp.";
+  if (epsilon_now().value_or(-1.0) > 0.0) return "Ready: closing the fingers now makes a stable grasp.";
   return "A grasp is offered: go on towards it, or choose another direction.";
 }
 

@@ -4,6 +4,7 @@
 
 #include <condition_variable>
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -61,6 +62,7 @@ class OnlinePlanner::Work {
   std::vector<VecX> postures_to_close(const VecX& shown) const;
   void ask_about_now(double now);
   OnlineView view(double now) const;
+  std::optional<double> epsilon_now() const;
   std::string message() const;
   double seconds() const;
 
@@ -82,7 +84,7 @@ class OnlinePlanner::Work {
   CandidateQueue queue_;
   SolutionList solutions_;
   std::optional<NowRequest> now_request_;
-  std::optional<double> epsilon_now_;
+  std::deque<double> epsilons_now_;  ///< of the last few tests of the shown hand, which trembles
   double now_asked_ = -1.0;
   std::optional<Grasp> held_;
   OnlineRates rates_;

@@ -11,6 +11,8 @@ namespace eigengrasp {
 namespace {
 
 constexpr double finger_speed = 4.0;       // [rad/s or m/s], of a degree of freedom
+constexpr double still = 0.0025;           // [m] less than that from where the hand is shown is tremor
+constexpr double settling = 0.15;          // [s] in which tremor is averaged
 constexpr double turn_as_distance = 0.10;  // [m/rad] a turn that is to come counts as that much way
 constexpr double full_preshape = 0.02;     // [m] the posture is reached that much before the pre-grasp
 constexpr int halvings = 3;                // of a way that is not free as a whole
@@ -38,6 +40,16 @@ bool ShownHand::is_free(const Pose& X_OH, const VecX& dofs) {
   const HandModel& hand = *model_.scene().hand;
   compute_link_poses(hand, joint_values(hand, dofs), X_OH, X_OL_);
   return model_.check_exact(X_OL_) == Legality::legal;
+}
+
+/// The wrist as held, but for what is tremor or the tracker's noise: that is averaged, the more the less the
+/// hand moves.
+Pose ShownHand::steady(const Pose& X_OW, double seconds) const {
+  const double way = (X_OW.translation() - steady_.translation()).norm() +
+                     turn_as_distance * angle_between(X_OW.linear(), steady_.linear());
+  if (way >= still) return X_OW;
+  const double lag = settling * (1.0 - way / still);
+  return between(steady_, X_OW, seconds / (seconds + lag));
 }
 
 /// Draws a hand that begins inside something back until it is free.
@@ -71,7 +83,8 @@ void ShownHand::go_as_far_as_free(const Pose& X_OW) {
   }
 }
 
-void ShownHand::follow(const Pose& X_OW, const Grasp* offered, double seconds) {
+void ShownHand::follow(const Pose& X_OW_held, const Grasp* offered, double seconds) {
+  const Pose X_OW = steady_ = placed_ ? steady(X_OW_held, seconds) : X_OW_held;
   joints_.resize(0);
   double wanted = 0.0;
   if (offered) {

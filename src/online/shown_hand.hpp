@@ -16,9 +16,10 @@ class ShownHand {
  public:
   ShownHand(const CollisionModel& model, const OnlineOptions& options);
 
+  /// @param X_OW_held wrist as the operator holds it; tremor below 2.5 mm is averaged away
   /// @param offered pre-grasp to take the posture of; null: open
   /// @param seconds since the last call: the fingers move no faster than they can. Cost: 0.1-1 ms
-  void follow(const Pose& X_OW, const Grasp* offered, double seconds);
+  void follow(const Pose& X_OW_held, const Grasp* offered, double seconds);
   /// Stands as the grasp does / as its pre-grasp does.
   void hold(const Grasp& grasp);
   void let_go(const Grasp& grasp);
@@ -31,6 +32,7 @@ class ShownHand {
   const std::vector<Pose>& X_OL() const { return X_OL_; }
 
  private:
+  Pose steady(const Pose& X_OW, double seconds) const;
   bool is_free(const Pose& X_OH, const VecX& dofs);
   bool find_free_start(const Pose& X_OW);
   VecX towards(const VecX& wanted, double seconds) const;
@@ -39,7 +41,8 @@ class ShownHand {
   const CollisionModel& model_;
   const OnlineOptions& options_;
   VecX open_;
-  bool placed_ = false;  ///< somewhere free
+  bool placed_ = false;             ///< somewhere free
+  Pose steady_ = Pose::Identity();  ///< the wrist without its tremor
   Pose X_OH_ = Pose::Identity();
   VecX dofs_;
   VecX joints_;  ///< where break-away has parted them from dofs_; else empty

@@ -78,7 +78,8 @@ void SimulatedOperator::begin() {
 
 OperatorAction SimulatedOperator::step(const OnlineView& view, double seconds) {
   time_ += seconds;
-  glances_.push_back({time_, view.offer.has_value(), view.epsilon_now.value_or(-1.0) > 0.0, view.offer_X_OH});
+  glances_.push_back({time_, view.offer.has_value(), view.epsilon_now.value_or(-1.0) >= traits_.least_epsilon,
+                      view.offer_X_OH});
   std::optional<Glance> seen;
   while (!glances_.empty() && glances_.front().time <= time_ - traits_.reaction) {
     seen = glances_.front();
@@ -90,7 +91,7 @@ OperatorAction SimulatedOperator::step(const OnlineView& view, double seconds) {
     move_around(seconds);
   } else {
     move(seconds);
-    if (seen) action.command = click(*seen);
+    if (seen && satisfied(*seen)) action.command = OperatorCommand::close;
   }
   read_tracker(action);
   return action;
@@ -99,7 +100,8 @@ OperatorAction SimulatedOperator::step(const OnlineView& view, double seconds) {
 void SimulatedOperator::react(const Glance& seen) {
   if (seen.offer) offer_seen_ = time_;
   if (moving_around_) return;
-  if (time_ >= mind_changes_at_ || time_ - offer_seen_ > traits_.give_up) {
+  const bool impatient = at_goal_since_ && !seen.ready && time_ - *at_goal_since_ > traits_.patience;
+  if (impatient || time_ >= mind_changes_at_ || time_ - offer_seen_ > traits_.give_up) {
     choose_direction();
     moving_around_ = true;
     return;
@@ -114,11 +116,8 @@ void SimulatedOperator::react(const Glance& seen) {
   goal_ = start_ * Eigen::Translation3d(way * hand.approach_direction_H);
 }
 
-std::optional<OperatorCommand> SimulatedOperator::click(const Glance& seen) const {
-  if (!goal_is_offer_ || !at_goal_since_) return std::nullopt;
-  const bool waited = time_ - *at_goal_since_ > traits_.patience;
-  if (!seen.ready && !waited) return std::nullopt;
-  return OperatorCommand::close;
+bool SimulatedOperator::satisfied(const Glance& seen) const {
+  return goal_is_offer_ && at_goal_since_ && seen.ready;
 }
 
 void SimulatedOperator::move(double seconds) {

@@ -118,10 +118,15 @@ TEST_F(ApproachSpaceTest, TheRegionEndsBehindTheObjectOrAtTheLookAhead) {
   near.translation() = Vec3(0.0, 0.0, -0.05) - scene_.hand->approach_point_H;
   space_.follow(near);
   EXPECT_NEAR(space_.cone().farthest, 0.05 + scene_.object->max_radius, 1e-9);
+  near.translation().z() -= 0.2;
+  space_.follow(near);
+  EXPECT_NEAR(space_.cone().nearest, 0.25 - scene_.object->max_radius - 0.05, 1e-9);
+  near.translation().z() += 0.25;
+  space_.follow(near);
+  EXPECT_NEAR(space_.cone().nearest, -options_.step_back, 1e-12);
   near.translation().z() -= 1.0;
   space_.follow(near);
   EXPECT_NEAR(space_.cone().farthest, options_.look_ahead, 1e-12);
-  EXPECT_NEAR(space_.cone().nearest, -options_.step_back, 1e-12);
 }
 
 TEST_F(ApproachSpaceTest, ATargetNarrowsItsRangeByItsConfidence) {

@@ -16,8 +16,8 @@ namespace eigengrasp {
 struct OnlineOptions {
   std::uint64_t seed = 1;
   int amplitudes = 2;
-  double cone_half_angle = 0.5235987755982988;  ///< theta's range [rad]
-  double look_ahead = 0.20;                     ///< farthest distance along the approach [m]
+  double cone_half_angle = 0.7853981633974483;  ///< theta's range [rad]
+  double look_ahead = 0.40;                     ///< farthest distance along the approach [m]
   double step_back = 0.03;                      ///< how far behind the wrist pre-grasps may lie [m]
   std::int64_t restart_after = 2000;            ///< iterations of a chain (section IV-D)
   std::size_t queue = 20;                       ///< candidates that wait for the second stage

@@ -66,8 +66,9 @@ struct OnlineView {
   std::vector<OnlineSolution> solutions;  ///< the offered one first
   SearchCone cone;
   OnlineRates rates;
-  /// Epsilon of the grasp that "close" would make now; negative: would not close to form closure; none: not
-  /// known yet.
+  /// Epsilon of the grasp that "close" would make now: the lowest of the last four tests of the hand as it is
+  /// shown, over about 0.2 s, so that it counts under tremor; negative: one of them did not come to form
+  /// closure; none: not known yet.
   std::optional<double> epsilon_now;
   std::string message;  ///< one sentence for the operator
 };

@@ -29,7 +29,8 @@ struct OperatorTraits {
   double late_samples = 0.02;         ///< share that come after the next one
   double repeated_samples = 0.01;     ///< share that come twice
   double change_of_mind = 0.15;  ///< share of approaches that are given up for another direction on the way
-  double patience = 1.5;         ///< [s] at the offered pre-grasp until the operator clicks whatever is shown
+  double least_epsilon = 0.01;   ///< of closing now, for a click
+  double patience = 1.5;         ///< [s] at the offered pre-grasp, without that, until another direction
   double give_up = 4.0;          ///< [s] without an offer until another direction is tried
   bool from_above = false;       ///< only directions from the upper half space (+z): there is a table
 };
@@ -61,14 +62,14 @@ class SimulatedOperator {
   struct Glance {
     double time = 0.0;
     bool offer = false;
-    bool ready = false;  ///< closing now would hold
+    bool ready = false;  ///< closing now would hold well enough
     Pose offer_X_OH = Pose::Identity();
   };
 
   Pose draw_start();
   void choose_direction();
   void react(const Glance& seen);
-  std::optional<OperatorCommand> click(const Glance& seen) const;
+  bool satisfied(const Glance& seen) const;
   void move(double seconds);
   void move_around(double seconds);
   Pose shaken();
