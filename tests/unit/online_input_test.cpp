@@ -148,12 +148,12 @@ TEST_F(ApproachSpaceTest, ATargetNarrowsItsRangeByItsConfidence) {
 }
 
 TEST_F(ApproachSpaceTest, MovingOnTakesTheWayOffTheDistance) {
-  ApproachState s = state(0.08, 0.2, 1.0);
+  ApproachState s = state(0.15, 0.2, 1.0);
   const Pose before = wrist_;
   const Pose after = wrist_ * Eigen::Translation3d(0.03 * scene_.hand->approach_direction_H);
   space_.follow(after);
   space_.move_on(s, before);
-  EXPECT_NEAR(s.distance, 0.05, 1e-12);
+  EXPECT_NEAR(s.distance, 0.12, 1e-12);
   EXPECT_NEAR(s.lean.norm(), 0.2, 1e-12);
 }
 
