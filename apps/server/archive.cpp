@@ -148,8 +148,9 @@ class Unpacking {
       const la_ssize_t got = archive_read_data(reader_.get(), buffer_.data(), buffer_.size());
       if (got == 0) return;
       if (got < 0)
-        fail("the archive's entry {} cannot be read ({}), expected an archive that is whole and not encrypted",
-             shown(path), complaint_of(reader_.get()));
+        fail(
+            "the archive's entry {} cannot be read ({}), expected an archive that is whole and not encrypted",
+            shown(path), complaint_of(reader_.get()));
       unpacked_ += got;
       if (unpacked_ > limits_.unpacked_bytes)
         fail("the archive's files are larger than {} bytes together, the most that are taken",

@@ -16,8 +16,9 @@ struct ArchiveLimits {
   std::vector<std::string> endings = {};
 };
 
-/// Unpacks a .zip, .tar or .tar.gz that a stranger sent into a folder that is empty. It holds folders and regular
-/// files only, whose paths stay in the folder; hidden files and those of macOS (__MACOSX) are left out.
+/// Unpacks a .zip, .tar or .tar.gz that a stranger sent into a folder that is empty. It holds folders and
+/// regular files only, whose paths stay in the folder; hidden files and those of macOS (__MACOSX) are left
+/// out.
 /// @throws Error, one sentence with the entry's path; what was unpacked before stays.
 void unpack_archive(const std::string& bytes, const std::filesystem::path& folder,
                     const ArchiveLimits& limits);

@@ -128,7 +128,8 @@ void ModelShelf::require_room() const {
                  std::count_if(hands_.begin(), hands_.end(), is_uploaded);
   if (n >= limits_.uploads)
     fail(
-        "{} objects and hands were uploaded, the most that are kept; start the server again, or with a larger "
+        "{} objects and hands were uploaded, the most that are kept; start the server again, or with a "
+        "larger "
         "--max-uploads",
         n);
 }
@@ -158,8 +159,7 @@ wire::UploadReply ModelShelf::upload_hand(const std::string& name, const std::st
   UploadedHand hand = read_uploaded_hand(name, bytes, limits_);
   const std::lock_guard lock(mutex_);
   require_room();
-  hand.model->name =
-      free_name(hands_, hand.model->name, [](const HandSlot& s) { return s.model->name; });
+  hand.model->name = free_name(hands_, hand.model->name, [](const HandSlot& s) { return s.model->name; });
   hands_.push_back({hand.model, {}, true});
   return {hand.model->name, std::move(hand.warnings)};
 }

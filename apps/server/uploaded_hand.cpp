@@ -7,6 +7,7 @@
 
 #include "eigengrasp/core/error.hpp"
 #include "eigengrasp/core/files.hpp"
+#include "eigengrasp/grasp/scene.hpp"
 #include "eigengrasp/model_io/hand_check.hpp"
 #include "eigengrasp/model_io/hand_io.hpp"
 #include "server/archive.hpp"
@@ -20,10 +21,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kMostParts = 256;         // links, degrees of freedom, eigengrasps; as in the schema
-constexpr std::size_t kWarnings = 16;   // as in the schema
+constexpr int kMostParts = 256;        // links, degrees of freedom, eigengrasps; as in the schema
+constexpr std::size_t kWarnings = 16;  // as in the schema
 constexpr std::size_t kLongestName = 64;
-constexpr double kFarthest = 10.0;      // from the base to the end of a hand [m]
+constexpr double kFarthest = 10.0;  // from the base to the end of a hand [m]
 
 /// The name of the folder that an archive was made of, as far as the archive's own name tells.
 std::string stem_of(const std::string& file_name) {
@@ -47,7 +48,8 @@ std::vector<fs::path> files_in(const fs::path& folder) {
   return files;
 }
 
-/// The hand.yaml that is nearest to the archive's root; of several the one whose folder has the archive's name.
+/// The hand.yaml that is nearest to the archive's root; of several the one whose folder has the archive's
+/// name.
 fs::path find_hand_file(const std::vector<fs::path>& files, const std::string& stem) {
   const auto depth = [](const fs::path& path) { return std::distance(path.begin(), path.end()); };
   std::vector<fs::path> found;
@@ -57,8 +59,9 @@ fs::path find_hand_file(const std::vector<fs::path>& files, const std::string& s
     if (found.empty() || depth(file) == depth(found.front())) found.push_back(file);
   }
   if (found.empty())
-    fail("the archive holds no hand.yaml, expected a hand's folder: hand.yaml, a URDF and meshes "
-         "(docs/hand-format.md)");
+    fail(
+        "the archive holds no hand.yaml, expected a hand's folder: hand.yaml, a URDF and meshes "
+        "(docs/hand-format.md)");
   for (const fs::path& file : found)
     if (found.size() == 1 || file.parent_path().filename() == stem) return file;
   fail("the archive holds {} hands ({}, {}), expected one, or one whose folder has the archive's name, '{}'",

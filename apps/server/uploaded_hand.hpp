@@ -16,8 +16,8 @@ struct UploadedHand {
   std::vector<std::string> warnings;  ///< what `eigengrasp hand check` says, worst first
 };
 
-/// Reads the archive of a hand's folder (docs/hand-format.md) that a client sent. It is unpacked into a folder
-/// of its own, which is gone afterwards; hand.yaml and URDF name no files outside of it.
+/// Reads the archive of a hand's folder (docs/hand-format.md) that a client sent. It is unpacked into a
+/// folder of its own, which is gone afterwards; hand.yaml and URDF name no files outside of it.
 /// @throws Error, one sentence, which does not name that folder.
 UploadedHand read_uploaded_hand(const std::string& file_name, const std::string& bytes,
                                 const ServerLimits& limits);

@@ -21,7 +21,8 @@ struct HandDocument {
   const YamlValue& require(const std::string& key) const;
 };
 
-/// Reads a hand.yaml with its chain of based_on, all of it in the folder `only_within` where that is not empty.
+/// Reads a hand.yaml with its chain of based_on, all of it in the folder `only_within` where that is not
+/// empty.
 /// @throws Error for unknown keys, versions, cycles.
 HandDocument read_hand_document(const std::filesystem::path& file, const std::filesystem::path& only_within);
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
 // Archives of strangers: what is unpacked, and what is refused with a sentence.
-#include <archive.h>
-#include <archive_entry.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -11,51 +9,15 @@
 #include "eigengrasp/core/files.hpp"
 #include "server/archive.hpp"
 #include "server/scratch_folder.hpp"
+#include "support/packed_archive.hpp"
 
 namespace eigengrasp::server {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Entry {
-  std::string path;
-  std::string content = {};
-  decltype(AE_IFREG) type = AE_IFREG;
-  std::string link = {};
-};
-
-enum class Kind { tar, tar_gz, zip };
-
-/// An archive as an honest or hostile program would write it.
-std::string packed(const std::vector<Entry>& entries, Kind kind = Kind::tar) {
-  std::string bytes(std::size_t{32} << 20, '\0');
-  std::size_t used = 0;
-  struct archive* writer = archive_write_new();
-  if (kind == Kind::zip)
-    archive_write_set_format_zip(writer);
-  else
-    archive_write_set_format_pax_restricted(writer);
-  if (kind == Kind::tar_gz) archive_write_add_filter_gzip(writer);
-  archive_write_open_memory(writer, bytes.data(), bytes.size(), &used);
-  for (const Entry& e : entries) {
-    struct archive_entry* entry = archive_entry_new();
-    archive_entry_set_pathname(entry, e.path.c_str());
-    archive_entry_set_filetype(entry, e.type);
-    archive_entry_set_perm(entry, 0644);
-    archive_entry_set_size(entry, static_cast<la_int64_t>(e.content.size()));
-    if (e.type == AE_IFLNK)
-      archive_entry_set_symlink(entry, e.link.c_str());
-    else if (!e.link.empty())
-      archive_entry_set_hardlink(entry, e.link.c_str());
-    EXPECT_EQ(archive_write_header(writer, entry), ARCHIVE_OK) << e.path;
-    if (!e.content.empty()) archive_write_data(writer, e.content.data(), e.content.size());
-    archive_entry_free(entry);
-  }
-  archive_write_close(writer);
-  archive_write_free(writer);
-  bytes.resize(used);
-  return bytes;
-}
+using testing::ArchiveKind;
+using testing::Entry;
+using testing::packed;
 
 /// What unpacking says; empty: nothing to complain of.
 std::string complaint(const std::string& bytes, const ArchiveLimits& limits = {}) {
@@ -79,7 +41,7 @@ TEST(Archive, FilesComeOutAsTheyWentIn) {
                                       {"hand/README", "left out"},
                                       {"__MACOSX/hand.yaml", "left out"},
                                       {"hand/._hand.yaml", "left out"}};
-  for (const Kind kind : {Kind::tar, Kind::tar_gz, Kind::zip}) {
+  for (const ArchiveKind kind : {ArchiveKind::tar, ArchiveKind::tar_gz, ArchiveKind::zip}) {
     const ScratchFolder folder;
     unpack_archive(packed(entries, kind), folder.path(), {.endings = {".yaml", ".obj"}});
     EXPECT_EQ(read_text_file(folder.path() / "hand/hand.yaml"), "name: x\n");
@@ -92,7 +54,7 @@ TEST(Archive, FilesComeOutAsTheyWentIn) {
 TEST(Archive, PathsThatLeadOutAreRefused) {
   const ScratchFolder outside;
   const std::string absolute = (outside.path() / "planted.yaml").string();
-  for (const Kind kind : {Kind::tar, Kind::zip}) {
+  for (const ArchiveKind kind : {ArchiveKind::tar, ArchiveKind::zip}) {
     expect_named(complaint(packed({{"../planted.yaml", "x"}}, kind)), "../planted.yaml");
     expect_named(complaint(packed({{"a/../../planted.yaml", "x"}}, kind)), "(..)");
     expect_named(complaint(packed({{absolute, "x"}}, kind)), "absolute");
@@ -106,7 +68,7 @@ TEST(Archive, PathsThatLeadOutAreRefused) {
 
 TEST(Archive, LinksAndDevicesAreRefused) {
   expect_named(complaint(packed({{"hand.yaml", "", AE_IFLNK, "/etc/passwd"}})), "link");
-  expect_named(complaint(packed({{"hand.yaml", "", AE_IFLNK, "/etc/passwd"}}, Kind::zip)), "link");
+  expect_named(complaint(packed({{"hand.yaml", "", AE_IFLNK, "/etc/passwd"}}, ArchiveKind::zip)), "link");
   expect_named(complaint(packed({{"a.yaml", "x"}, {"b.yaml", "", AE_IFREG, "a.yaml"}})), "link");
   expect_named(complaint(packed({{"d", "", AE_IFLNK, "/tmp"}, {"d/planted.yaml", "x"}})), "link");
   expect_named(complaint(packed({{"pipe.yaml", "", AE_IFIFO}})), "regular");
@@ -115,7 +77,7 @@ TEST(Archive, LinksAndDevicesAreRefused) {
 TEST(Archive, BombsAreRefusedWhetherTheirFilesAreKeptOrNot) {
   const std::string zeros(std::size_t{4} << 20, '\0');
   for (const char* path : {"big.obj", "big.left-out"})
-    for (const Kind kind : {Kind::tar_gz, Kind::zip}) {
+    for (const ArchiveKind kind : {ArchiveKind::tar_gz, ArchiveKind::zip}) {
       const std::string bomb = packed({{path, zeros}}, kind);
       EXPECT_LT(bomb.size(), 20'000U);
       expect_named(complaint(bomb, {.unpacked_bytes = 1 << 20, .endings = {".obj"}}), "1048576 bytes");
@@ -132,10 +94,11 @@ TEST(Archive, WhatIsDamagedIsRefused) {
   const std::string noise = [] {
     std::string text;
     unsigned state = 1;
-    for (int i = 0; i < 20'000; ++i) text += static_cast<char>((state = state * 1664525U + 1013904223U) >> 24);
+    for (int i = 0; i < 20'000; ++i)
+      text += static_cast<char>((state = state * 1664525U + 1013904223U) >> 24);
     return text;
   }();
-  for (const Kind kind : {Kind::tar, Kind::tar_gz, Kind::zip}) {
+  for (const ArchiveKind kind : {ArchiveKind::tar, ArchiveKind::tar_gz, ArchiveKind::zip}) {
     const std::string whole = packed({{"hand.yaml", noise}}, kind);
     EXPECT_EQ(complaint(whole), "");
     for (const std::size_t part : {2U, 3U, 10U})

@@ -48,7 +48,7 @@ export function wish_rows(hand: Hand, options: OnlineOptions): WishRow[] {
     row("theta", "Theta [°]", [0, cone / degree], degree),
     row("phi", "Phi [°]", [-180, 180], degree),
     ...searched.map((one, i) => row("amplitude", `Amplitude ${i + 1}: ${one.name}`, [one.min, one.max], 1, i)),
-    ...hand.dofs.map((one, i) => row("dof", `${one.name} [rad or m]`, [one.min, one.max], 1, i)),
+    ...hand.dofs.map((one, i) => row("dof", one.name, [one.min, one.max], 1, i)),
   ];
 }
 

@@ -43,7 +43,7 @@ export class SharedControl {
     this.hand = hand.name;
     this.rows = wish_rows(hand, options);
     this.list.replaceChildren(
-      h("div", { class: "wish head" }, h("span", {}, "Value"), h("span", {}, "Confidence")),
+      h("div", { class: "wish head" }, h("span", {}, "Value (DOFs [rad or m])"), h("span", {}, "Confidence")),
       ...this.rows.map((row) => this.lay_out(row)),
     );
     this.changed();

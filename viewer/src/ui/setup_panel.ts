@@ -60,7 +60,7 @@ function hand_section(app: App, change: Change): HTMLElement {
   };
   app.status.watch(show);
   app.choice.watch(show);
-  const drop = upload_area("Drop a hand's folder as .zip or .tar.gz", ".zip,.tar,.gz,.tgz", async (file) => {
+  const drop = upload_area("Drop a hand: .zip, .tar.gz", ".zip,.tar,.gz,.tgz", async (file) => {
     const reply = await app.api.upload_hand(file);
     app.models.forget("hands", reply.name);
     app.scene.set(undefined);
