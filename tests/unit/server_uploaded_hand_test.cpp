@@ -89,9 +89,9 @@ TEST(UploadedHand, IsRefusedWhereItIsUnsound) {
   expect_named(refusal_of("hand.zip", packed({{"hand.yaml", "format: [\n"}})), "hand.yaml");
   expect_named(refusal_of("h.tar", packed(with(files, yaml, "urdf: ", "urdf: ../../"))), "lies outside");
   expect_named(refusal_of("h.tar", packed(with(files, yaml, "urdf: ", "urdf: missing-"))), "does not exist");
-  expect_named(refusal_of("h.tar", packed(with(files, "barrett-metal/barrett.urdf", "<collision><geometry><mesh filename=\"",
-                                                "<collision><geometry><mesh filename=\"file:///"))),
-               "lies outside");
+  const std::string shape = "<collision><geometry><mesh filename=\"";
+  const auto strange = with(files, "barrett-metal/barrett.urdf", shape, shape + "file:///");
+  expect_named(refusal_of("h.tar", packed(strange)), "lies outside");
   expect_named(refusal_of("h.tar", packed(files), {.upload_triangles = 10}), "triangles");
   expect_named(refusal_of("h.tar", packed(files), {.unpacked_bytes = 5000}), "5000 bytes");
   expect_named(refusal_of("h.tar", packed(files), {.archive_entries = 3}), "3 files");
