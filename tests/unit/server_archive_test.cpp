@@ -58,12 +58,14 @@ TEST(Archive, PathsThatLeadOutAreRefused) {
     expect_named(complaint(packed({{"../planted.yaml", "x"}}, kind)), "../planted.yaml");
     expect_named(complaint(packed({{"a/../../planted.yaml", "x"}}, kind)), "(..)");
     expect_named(complaint(packed({{absolute, "x"}}, kind)), "absolute");
-    expect_named(complaint(packed({{"a\\..\\planted.yaml", "x"}}, kind)), "backslash");
     expect_named(complaint(packed({{"C:planted.yaml", "x"}}, kind)), "colon");
   }
+  expect_named(complaint(packed({{"a\\..\\planted.yaml", "x"}})), "backslash");
+  // in a .zip the library reads it as a slash
+  expect_named(complaint(packed({{"a\\..\\planted.yaml", "x"}}, ArchiveKind::zip)), "(..)");
   EXPECT_TRUE(fs::is_empty(outside.path()));
   EXPECT_FALSE(fs::exists(outside.path().parent_path() / "planted.yaml"));
-  expect_named(complaint(packed({{std::string(300, 'a') + ".yaml", "x"}})), "300");
+  expect_named(complaint(packed({{std::string(300, 'a') + ".yaml", "x"}})), "305");
 }
 
 TEST(Archive, LinksAndDevicesAreRefused) {
