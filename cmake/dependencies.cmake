@@ -11,6 +11,7 @@ find_package(yaml-cpp REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(Boost 1.74 REQUIRED)  # headers: Beast, Asio
+find_package(LibArchive 3.6 REQUIRED)
 find_package(PNG REQUIRED)
 find_package(Coin REQUIRED)
 find_package(PkgConfig REQUIRED)

@@ -24,8 +24,11 @@ void add_limits(CLI::App& command, server::ServerLimits& limits) {
   command.add_option("--max-clients", limits.clients, "WebSockets at a time")->group("Limits");
   command.add_option("--max-plans", limits.plans, "Plans that run at a time")->group("Limits");
   command.add_option("--max-sessions", limits.online_sessions, "Online planners at a time")->group("Limits");
-  command.add_option("--max-uploads", limits.uploads, "Uploaded objects that are kept")->group("Limits");
+  command.add_option("--max-uploads", limits.uploads, "Uploaded objects and hands that are kept")
+      ->group("Limits");
   command.add_option("--max-upload", limits.upload_bytes, "Size of an upload [bytes]")->group("Limits");
+  command.add_option("--max-unpacked", limits.unpacked_bytes, "Size of what a hand's archive holds [bytes]")
+      ->group("Limits");
   command.add_option("--max-message", limits.message_bytes, "Size of a message [bytes]")->group("Limits");
   command.add_option("--max-rate", limits.messages_per_second, "Messages a second of a client")
       ->group("Limits");

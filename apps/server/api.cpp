@@ -14,7 +14,8 @@ namespace eigengrasp::server {
 
 namespace {
 
-constexpr const char* kUploadPath = "/api/objects";
+constexpr const char* kObjectsPath = "/api/objects";
+constexpr const char* kHandsPath = "/api/hands";
 constexpr const char* kStatusPath = "/api/status";
 
 /// The parts of a path between slashes.
@@ -62,21 +63,21 @@ std::optional<HttpReply> Api::admit(const HttpRequest& request) const {
   }
   if (request.websocket) return refusal(404, "there is no WebSocket here, expected /ws");
   if (request.method != "GET" && !takes_body(request))
-    return refusal(405, fmt::format("found the method {}, expected GET; uploads are a POST to {}",
-                                    request.method.substr(0, 20), kUploadPath));
+    return refusal(405, fmt::format("found the method {}, expected GET; uploads are a POST to {} or {}",
+                                    request.method.substr(0, 20), kObjectsPath, kHandsPath));
   if (request.path.starts_with("/api/") && request.path != kStatusPath && !has_token(request))
     return refusal(401, "the token is missing or not the server's, expected 'Authorization: Bearer TOKEN'");
   return {};
 }
 
 bool Api::takes_body(const HttpRequest& request) const {
-  return request.method == "POST" && request.path == kUploadPath;
+  return request.method == "POST" && (request.path == kObjectsPath || request.path == kHandsPath);
 }
 
 HttpReply Api::answer(const HttpRequest& request) {
   if (!request.path.starts_with("/api/")) return files_.reply(request.path);
   if (request.path == kStatusPath) return status(request);
-  if (takes_body(request)) return upload(request);
+  if (takes_body(request)) return upload(request, request.path == kHandsPath);
   const std::vector<std::string> parts = parts_of(request.path);
   try {
     if (parts.size() == 4 && parts[1] == "hands" && parts[3] == "model.glb")
@@ -108,14 +109,18 @@ HttpReply Api::status(const HttpRequest& request) const {
   return {200, "application/json", wire::to_text(status), ""};
 }
 
-HttpReply Api::upload(const HttpRequest& request) {
+HttpReply Api::upload(const HttpRequest& request, bool hand) {
   const std::string name = value_or_empty(request, "name");
   if (name.empty() || name.size() > 200)
-    return refusal(400,
-                   "the query has no name, expected ?name=FILE.stl&units=mm with at most 200 characters");
-  if (request.body.empty()) return refusal(400, "the body is empty, expected a mesh file");
-  return {200, "application/json",
-          wire::to_text(services_.shelf.upload(name, value_or_empty(request, "units"), request.body)), ""};
+    return refusal(400, fmt::format("the query has no name, expected ?name={} with at most 200 characters",
+                                    hand ? "HAND.zip" : "FILE.stl&units=mm"));
+  if (request.body.empty())
+    return refusal(400, fmt::format("the body is empty, expected {}", hand ? "an archive" : "a mesh file"));
+  ModelShelf& shelf = services_.shelf;
+  const wire::UploadReply reply =
+      hand ? shelf.upload_hand(name, request.body)
+           : shelf.upload_object(name, value_or_empty(request, "units"), request.body);
+  return {200, "application/json", wire::to_text(reply), ""};
 }
 
 HttpReply Api::logs() const {

@@ -24,7 +24,7 @@ class Api {
  private:
   bool has_token(const HttpRequest& request) const;
   HttpReply status(const HttpRequest& request) const;
-  HttpReply upload(const HttpRequest& request);
+  HttpReply upload(const HttpRequest& request, bool hand);
   HttpReply logs() const;
   HttpReply log(const std::string& name) const;
 

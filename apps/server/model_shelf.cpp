@@ -10,6 +10,7 @@
 #include "eigengrasp/model_io/object_io.hpp"
 #include "eigengrasp/report/model_glb.hpp"
 #include "eigengrasp/wire/message_makers.hpp"
+#include "server/uploaded_hand.hpp"
 #include "server/uploaded_mesh.hpp"
 
 namespace eigengrasp::server {
@@ -28,6 +29,17 @@ auto& slot_of(Slots& slots, const std::string& name, const char* what, NameOf na
   throw NotKnown(fmt::format("there is no {} '{}', expected one of {}", what, name.substr(0, 64), all));
 }
 
+/// The name, or the name with a number where it is taken.
+template <typename Slots, typename NameOf>
+std::string free_name(const Slots& slots, const std::string& wanted, NameOf name_of) {
+  const auto taken = [&](const std::string& name) {
+    return std::any_of(slots.begin(), slots.end(), [&](const auto& slot) { return name_of(slot) == name; });
+  };
+  std::string name = wanted;
+  for (int n = 2; taken(name); ++n) name = fmt::format("{}-{}", wanted, n);
+  return name;
+}
+
 }  // namespace
 
 ModelShelf::ModelShelf(const std::string& hand, const std::string& object, const ServerLimits& limits)
@@ -35,7 +47,7 @@ ModelShelf::ModelShelf(const std::string& hand, const std::string& object, const
   const auto add_hand = [&](const std::filesystem::path& path) {
     auto model = std::make_shared<HandModel>(load_hand(path));
     const auto same = [&](const HandSlot& s) { return s.model->name == model->name; };
-    if (std::none_of(hands_.begin(), hands_.end(), same)) hands_.push_back({model, {}});
+    if (std::none_of(hands_.begin(), hands_.end(), same)) hands_.push_back({model, {}, false});
     return model->name;
   };
   if (!hand.empty()) default_hand_ = add_hand(find_hand(hand));
@@ -98,7 +110,7 @@ std::shared_ptr<const std::string> ModelShelf::object_glb(const std::string& nam
 std::vector<wire::HandEntry> ModelShelf::hands() const {
   const std::lock_guard lock(mutex_);
   std::vector<wire::HandEntry> entries;
-  for (const HandSlot& slot : hands_) entries.push_back(wire::hand_entry(*slot.model));
+  for (const HandSlot& slot : hands_) entries.push_back(wire::hand_entry(*slot.model, slot.uploaded));
   return entries;
 }
 
@@ -110,39 +122,46 @@ std::vector<wire::ObjectEntry> ModelShelf::objects() const {
   return entries;
 }
 
-std::string ModelShelf::free_name(const std::string& wanted) const {
-  const auto taken = [&](const std::string& name) {
-    return std::any_of(objects_.begin(), objects_.end(), [&](const ObjectSlot& s) { return s.name == name; });
-  };
-  std::string name = wanted;
-  for (int n = 2; taken(name); ++n) name = fmt::format("{}-{}", wanted, n);
-  return name;
+void ModelShelf::require_room() const {
+  const auto is_uploaded = [](const auto& slot) { return slot.uploaded; };
+  const auto n = std::count_if(objects_.begin(), objects_.end(), is_uploaded) +
+                 std::count_if(hands_.begin(), hands_.end(), is_uploaded);
+  if (n >= limits_.uploads)
+    fail(
+        "{} objects and hands were uploaded, the most that are kept; start the server again, or with a "
+        "larger "
+        "--max-uploads",
+        n);
 }
 
-wire::UploadReply ModelShelf::upload(const std::string& name, const std::string& units,
-                                     const std::string& bytes) {
-  const auto room = [&] {
-    const auto n =
-        std::count_if(objects_.begin(), objects_.end(), [](const ObjectSlot& s) { return s.uploaded; });
-    if (n >= limits_.uploads)
-      fail(
-          "{} objects were uploaded, the most that are kept; start the server again, or with a larger "
-          "--max-uploads",
-          n);
-  };
+wire::UploadReply ModelShelf::upload_object(const std::string& name, const std::string& units,
+                                            const std::string& bytes) {
   {
     const std::lock_guard lock(mutex_);
-    room();
+    require_room();
   }
   const UploadedMesh mesh = read_uploaded_mesh(name, units, bytes, limits_.upload_triangles);
   wire::UploadReply reply;
   for (std::string& sentence : size_warnings(inspect_mesh(mesh.object->mesh), kHandSize))
     reply.warnings.push_back(std::move(sentence));
   const std::lock_guard lock(mutex_);
-  room();
-  reply.name = free_name(mesh.name);
+  require_room();
+  reply.name = free_name(objects_, mesh.name, [](const ObjectSlot& s) { return s.name; });
   objects_.push_back({reply.name, mesh.object, {}, true});
   return reply;
+}
+
+wire::UploadReply ModelShelf::upload_hand(const std::string& name, const std::string& bytes) {
+  {
+    const std::lock_guard lock(mutex_);
+    require_room();
+  }
+  UploadedHand hand = read_uploaded_hand(name, bytes, limits_);
+  const std::lock_guard lock(mutex_);
+  require_room();
+  hand.model->name = free_name(hands_, hand.model->name, [](const HandSlot& s) { return s.model->name; });
+  hands_.push_back({hand.model, {}, true});
+  return {hand.model->name, std::move(hand.warnings)};
 }
 
 }  // namespace eigengrasp::server

@@ -42,12 +42,16 @@ class ModelShelf {
 
   /// Takes a mesh file in. @param name with its ending  @param units m, cm, mm or in
   /// @throws Error, one sentence.
-  wire::UploadReply upload(const std::string& name, const std::string& units, const std::string& bytes);
+  wire::UploadReply upload_object(const std::string& name, const std::string& units,
+                                  const std::string& bytes);
+  /// Takes the archive of a hand's folder in. @param name with its ending  @throws Error, one sentence.
+  wire::UploadReply upload_hand(const std::string& name, const std::string& bytes);
 
  private:
   struct HandSlot {
     std::shared_ptr<const HandModel> model;
     std::shared_ptr<const std::string> glb;
+    bool uploaded = false;
   };
   struct ObjectSlot {
     std::string name;
@@ -57,7 +61,7 @@ class ModelShelf {
   };
   const HandSlot& hand_slot(const std::string& name) const;
   const ObjectSlot& object_slot(const std::string& name) const;
-  std::string free_name(const std::string& wanted) const;
+  void require_room() const;  ///< @pre mutex_ is held  @throws Error where no more uploads are kept
 
   ServerLimits limits_;
   mutable std::mutex mutex_;

@@ -32,6 +32,7 @@ std::vector<std::string> ServerOptions::validate() const {
   at_least_one("--max-plans", limits.plans);
   at_least_one("--max-sessions", limits.online_sessions);
   at_least_one("--max-upload", limits.upload_bytes);
+  at_least_one("--max-unpacked", limits.unpacked_bytes);
   at_least_one("--max-message", limits.message_bytes);
   at_least_one("--max-rate", limits.messages_per_second);
   require(limits.uploads >= 0, fmt::format("--max-uploads is {}, expected 0 or more", limits.uploads));

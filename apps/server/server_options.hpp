@@ -16,9 +16,11 @@ struct ServerLimits {
   int clients = 32;         ///< WebSockets; more are answered with 503
   int plans = 4;            ///< that run at a time
   int online_sessions = 8;  ///< online planners at a time
-  int uploads = 32;         ///< objects that are kept
+  int uploads = 32;         ///< objects and hands that are kept
   std::int64_t upload_bytes = std::int64_t{64} << 20;
   std::int64_t upload_triangles = 1'000'000;
+  std::int64_t unpacked_bytes = std::int64_t{256} << 20;  ///< of the files in a hand's archive together
+  int archive_entries = 2000;
   std::int64_t message_bytes = 65536;    ///< of a WebSocket message
   double messages_per_second = 2000.0;   ///< of a client
   std::int64_t queued_bytes = 16 << 20;  ///< that wait for a slow client; beyond it is dropped

@@ -2,17 +2,16 @@
 // SPDX-FileCopyrightText: The eigengrasp authors
 #include "server/uploaded_mesh.hpp"
 
-#include <stdlib.h>
-
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <filesystem>
 #include <fstream>
 
 #include "eigengrasp/core/error.hpp"
 #include "eigengrasp/geometry/mass_properties.hpp"
 #include "eigengrasp/model_io/object_io.hpp"
+#include "server/scratch_folder.hpp"
+#include "server/upload_name.hpp"
 
 namespace eigengrasp::server {
 
@@ -22,64 +21,27 @@ namespace {
 
 constexpr double kLongest = 100.0;  // side of an object's box [m]
 
-/// A folder that goes with everything in it.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string pattern = (fs::temp_directory_path() / "eigengrasp-upload-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) == nullptr) fail("the server has no room for uploads; is its disk full?");
-    path_ = pattern;
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
-std::string ending_of(const std::string& file_name) {
-  std::string ending = fs::path(file_name).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+std::string mesh_ending(const std::string& file_name) {
+  const std::string ending = ending_of(file_name);
   constexpr std::array<const char*, 5> known = {".obj", ".stl", ".ply", ".off", ".glb"};
   if (std::find(known.begin(), known.end(), ending) == known.end())
     fail("the name ends in '{}', expected .obj, .stl, .ply, .off or .glb", ending.substr(0, 16));
   return ending;
 }
 
-std::string sound_name(const std::string& file_name) {
-  std::string name = fs::path(file_name).stem().string().substr(0, 48);
-  for (char& c : name)
-    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '.' && c != '_' && c != '-') c = '_';
-  if (name.empty() || name.front() == '.') name.insert(0, "object");
-  return name;
-}
+}  // namespace
 
-/// A GLB whose buffers are in other files would have them looked for beside it.
 void require_whole(const std::string& ending, const std::string& bytes) {
   if (ending == ".glb" && bytes.find("\"uri\"") != std::string::npos)
     fail("the GLB refers to other files (uri), expected one that holds everything; export it again that way");
 }
 
-std::string without(std::string text, const std::string& part, const std::string& instead) {
-  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; at += instead.size())
-    text.replace(at, part.size(), instead);
-  return text;
-}
-
-}  // namespace
-
 UploadedMesh read_uploaded_mesh(const std::string& file_name, const std::string& units,
                                 const std::string& bytes, std::int64_t max_triangles) {
-  const std::string ending = ending_of(file_name);
+  const std::string ending = mesh_ending(file_name);
   require_whole(ending, bytes);
   const ScratchFolder scratch;
-  const std::string name = sound_name(file_name);
+  const std::string name = sound_name(fs::path(file_name).stem().string(), "object");
   const fs::path file = scratch.path() / (name + ending);
   std::ofstream(file, std::ios::binary) << bytes;
   try {
@@ -95,7 +57,7 @@ UploadedMesh read_uploaded_mesh(const std::string& file_name, const std::string&
       fail("the mesh is {:.4g} m long, expected at most {} m; are its units mm?", side, kLongest);
     return {name, std::move(object)};
   } catch (const Error& e) {
-    throw Error(without(e.what(), scratch.path().string() + "/", ""));
+    throw Error(scratch.hidden_in(e.what()));
   }
 }
 

@@ -15,6 +15,10 @@ struct UploadedMesh {
   std::shared_ptr<const ObjectModel> object;
 };
 
+/// Refuses a GLB whose buffers are in other files, which would be looked for beside it. @param ending of its
+/// name
+void require_whole(const std::string& ending, const std::string& bytes);
+
 /// Reads a mesh that a client sent: OBJ, STL, PLY, OFF or GLB that is whole in itself, each checked in full
 /// while it is read. The file lives in a folder of its own while it is read.
 /// @throws Error, one sentence, which does not name that folder.

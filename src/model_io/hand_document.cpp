@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The eigengrasp authors
 #include <algorithm>
 
+#include "model_io/file_bounds.hpp"
 #include "model_io/hand_yaml.hpp"
 #include "model_io/text_values.hpp"
 
@@ -27,7 +28,8 @@ void check_version(const YamlValue& root) {
   }
 }
 
-void read_into(HandDocument& document, const fs::path& file, std::vector<fs::path>& readers) {
+void read_into(HandDocument& document, const fs::path& file, const fs::path& only_within,
+               std::vector<fs::path>& readers) {
   std::error_code ec;
   const fs::path canonical = fs::weakly_canonical(file, ec);
   readers.push_back(canonical);
@@ -36,6 +38,10 @@ void read_into(HandDocument& document, const fs::path& file, std::vector<fs::pat
   check_version(root);
   if (const auto base = root.find("based_on")) {
     fs::path base_file = file.parent_path() / base->text();
+    if (!is_within(base_file, only_within)) {
+      base->fail("based_on is \"{}\", which lies outside of the hand's folder, expected a hand in it",
+                 base->written());
+    }
     if (fs::is_directory(base_file, ec)) base_file /= "hand.yaml";
     if (!fs::is_regular_file(base_file, ec)) {
       base->fail("based_on is \"{}\", but {} does not exist", base->written(), base_file.string());
@@ -45,7 +51,7 @@ void read_into(HandDocument& document, const fs::path& file, std::vector<fs::pat
       base->fail("based_on is \"{}\", which is based on this file itself, expected another hand",
                  base->written());
     }
-    read_into(document, base_file, readers);
+    read_into(document, base_file, only_within, readers);
   }
   for (const auto& [key, value] : fields) document.keys.insert_or_assign(key, value);
 }
@@ -63,11 +69,11 @@ const YamlValue& HandDocument::require(const std::string& key) const {
   return *value;
 }
 
-HandDocument read_hand_document(const fs::path& file) {
+HandDocument read_hand_document(const fs::path& file, const fs::path& only_within) {
   HandDocument document;
   document.file = file;
   std::vector<fs::path> readers;
-  read_into(document, file, readers);
+  read_into(document, file, only_within, readers);
   return document;
 }
 

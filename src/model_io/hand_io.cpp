@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The eigengrasp authors
 #include "eigengrasp/model_io/hand_io.hpp"
 
+#include "model_io/file_bounds.hpp"
 #include "model_io/graspit_robot.hpp"
 #include "model_io/hand_assembly.hpp"
 #include "model_io/hand_yaml.hpp"
@@ -14,14 +15,18 @@ namespace fs = std::filesystem;
 namespace {
 
 HandModel load_yaml_hand(const fs::path& file, const HandReadOptions& options) {
-  const HandDocument document = read_hand_document(file);
+  const HandDocument document = read_hand_document(file, options.only_within);
   const YamlValue& urdf_name = document.require("urdf");
   const fs::path urdf_file = urdf_name.file().parent_path() / urdf_name.text();
+  if (!is_within(urdf_file, options.only_within)) {
+    urdf_name.fail("urdf is \"{}\", which lies outside of the hand's folder, expected a file in it",
+                   urdf_name.written());
+  }
   std::error_code ec;
   if (!fs::is_regular_file(urdf_file, ec)) {
     urdf_name.fail("urdf is \"{}\", but {} does not exist", urdf_name.written(), urdf_file.string());
   }
-  const Urdf urdf = read_urdf(urdf_file);
+  const Urdf urdf = read_urdf(urdf_file, options.only_within);
   HandModel hand = build_urdf_hand(urdf, options.load_meshes);
   hand.source = file;
   hand.name = document.require("name").text();
@@ -37,7 +42,7 @@ HandModel load_yaml_hand(const fs::path& file, const HandReadOptions& options) {
 }
 
 HandModel load_bare_urdf(const fs::path& file, const HandReadOptions& options) {
-  HandModel hand = build_urdf_hand(read_urdf(file), options.load_meshes);
+  HandModel hand = build_urdf_hand(read_urdf(file, options.only_within), options.load_meshes);
   clamp_rest(hand);
   hand.eigengrasps = all_postures(hand);
   set_collision_pairs(hand, {});

@@ -21,8 +21,10 @@ struct HandDocument {
   const YamlValue& require(const std::string& key) const;
 };
 
-/// Reads a hand.yaml with its chain of based_on. @throws Error for unknown keys, versions, cycles.
-HandDocument read_hand_document(const std::filesystem::path& file);
+/// Reads a hand.yaml with its chain of based_on, all of it in the folder `only_within` where that is not
+/// empty.
+/// @throws Error for unknown keys, versions, cycles.
+HandDocument read_hand_document(const std::filesystem::path& file, const std::filesystem::path& only_within);
 
 /// What of hand.yaml is read after the URDF, each into the hand. Order matters: dofs first.
 void read_dofs(const HandDocument& document, const Urdf& urdf, HandModel& hand);

@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "model_io/file_bounds.hpp"
 #include "model_io/text_values.hpp"
 #include "model_io/xml_file.hpp"
 
@@ -27,17 +28,20 @@ Pose read_origin(const XmlElement& parent) {
 }
 
 /// package://NAME/REST in a parent folder of the URDF that is NAME or holds NAME.
-fs::path find_in_package(const XmlElement& mesh, const std::string& rest) {
+fs::path find_in_package(const XmlElement& mesh, const std::string& rest, const fs::path& only_within) {
   const auto slash = rest.find('/');
   if (slash == std::string::npos || slash == 0) {
     mesh.fail("<mesh>: filename is \"package://{}\", expected package://NAME/FILE", shown(rest));
   }
   const std::string package = rest.substr(0, slash), file = rest.substr(slash + 1);
-  std::error_code ec;
+  const auto is_there = [&](const fs::path& candidate) {
+    std::error_code ec;
+    return is_within(candidate, only_within) && fs::is_regular_file(candidate, ec);
+  };
   for (fs::path folder = fs::absolute(mesh.file()).lexically_normal().parent_path();;
        folder = folder.parent_path()) {
-    if (fs::is_regular_file(folder / package / file, ec)) return folder / package / file;
-    if (folder.filename() == package && fs::is_regular_file(folder / file, ec)) return folder / file;
+    if (is_there(folder / package / file)) return folder / package / file;
+    if (folder.filename() == package && is_there(folder / file)) return folder / file;
     if (folder == folder.parent_path()) break;
   }
   mesh.fail(
@@ -46,11 +50,15 @@ fs::path find_in_package(const XmlElement& mesh, const std::string& rest) {
       shown(rest), shown(package), mesh.file().filename().string());
 }
 
-fs::path find_mesh(const XmlElement& mesh) {
+fs::path find_mesh(const XmlElement& mesh, const fs::path& only_within) {
   const std::string name = mesh.require_attribute("filename");
-  if (name.starts_with("package://")) return find_in_package(mesh, name.substr(10));
+  if (name.starts_with("package://")) return find_in_package(mesh, name.substr(10), only_within);
   const fs::path relative = name.starts_with("file://") ? name.substr(7) : name;
   const fs::path file = mesh.file().parent_path() / relative;
+  if (!is_within(file, only_within)) {
+    mesh.fail("<mesh>: filename is \"{}\", which lies outside of the hand's folder, expected a file in it",
+              shown(name));
+  }
   std::error_code ec;
   if (!fs::is_regular_file(file, ec)) {
     mesh.fail("<mesh>: filename is \"{}\", but {} does not exist", shown(name), file.string());
@@ -67,14 +75,14 @@ double require_length(const XmlElement& element, const char* attribute) {
   return length;
 }
 
-UrdfShape read_shape(const XmlElement& element) {
+UrdfShape read_shape(const XmlElement& element, const fs::path& only_within) {
   const XmlElement geometry = element.require_child("geometry");
   UrdfShape shape;
   shape.X_LS = read_origin(element);
   shape.line = geometry.line();
   if (const XmlElement mesh = geometry.child("mesh")) {
     shape.kind = UrdfShape::Kind::mesh;
-    shape.file = find_mesh(mesh);
+    shape.file = find_mesh(mesh, only_within);
     shape.size = mesh.attribute_vector("scale", Vec3::Ones());
     if ((shape.size.array() == 0.0).any()) {
       mesh.fail("<mesh>: scale is \"{}\", expected 3 numbers that are not 0",
@@ -98,13 +106,13 @@ UrdfShape read_shape(const XmlElement& element) {
   return shape;
 }
 
-UrdfLink read_link(const XmlElement& element) {
+UrdfLink read_link(const XmlElement& element, const fs::path& only_within) {
   UrdfLink link;
   link.name = element.require_attribute("name");
   link.line = element.line();
   const bool has_collision = static_cast<bool>(element.child("collision"));
   for (const XmlElement& shape : element.children(has_collision ? "collision" : "visual")) {
-    link.shapes.push_back(read_shape(shape));
+    link.shapes.push_back(read_shape(shape, only_within));
   }
   const XmlElement inertial = element.child("inertial");
   if (const XmlElement mass = inertial ? inertial.child("mass") : XmlElement()) {
@@ -176,7 +184,7 @@ UrdfJoint read_joint(const XmlElement& element) {
 
 }  // namespace
 
-Urdf read_urdf(const fs::path& file) {
+Urdf read_urdf(const fs::path& file, const fs::path& only_within) {
   const XmlFile xml(file);
   const XmlElement robot = xml.require_root("robot");
   if (robot.child("palm")) robot.fail("is a robot of GraspIt!, expected a URDF");
@@ -185,7 +193,7 @@ Urdf read_urdf(const fs::path& file) {
   urdf.name = robot.attribute("name").value_or(file.stem().string());
   std::map<std::string, int> link_lines, joint_lines;
   for (const XmlElement& element : robot.children("link")) {
-    urdf.links.push_back(read_link(element));
+    urdf.links.push_back(read_link(element, only_within));
     const auto [first, is_new] = link_lines.emplace(urdf.links.back().name, element.line());
     if (!is_new) {
       element.fail("the link \"{}\" is there already, in line {}, expected another name", first->first,

@@ -54,8 +54,9 @@ struct Urdf {
   std::vector<UrdfJoint> joints;
 };
 
-/// Reads a URDF file. @throws Error with file, line, value and expectation.
-Urdf read_urdf(const std::filesystem::path& file);
+/// Reads a URDF file. Its meshes lie in the folder `only_within` where that is not empty.
+/// @throws Error with file, line, value and expectation.
+Urdf read_urdf(const std::filesystem::path& file, const std::filesystem::path& only_within = {});
 
 /// The joint that each joint moves with, chains of <mimic> resolved: value = multiplier * it + offset.
 /// Indexed like Urdf::joints; nothing for joints that are fixed or degrees of freedom themselves.

@@ -158,10 +158,15 @@ void fields(F& f, SolutionReply& m) {
 }
 
 template <class F>
+void fields(F& f, HandEntry::Range& m) {
+  f("name", m.name), f("min", m.min), f("max", m.max);
+}
+template <class F>
 void fields(F& f, HandEntry& m) {
   f("name", m.name), f("title", m.title), f("n_dof", m.n_dof), f("n_links", m.n_links);
   f("eigengrasps", m.eigengrasps), f("links", m.links), f("rest", m.rest);
   f("approach_point", m.approach_point), f("approach_direction", m.approach_direction), f("reach", m.reach);
+  f("dofs", m.dofs), f("amplitudes", m.amplitudes), f("uploaded", m.uploaded);
 }
 template <class F>
 void fields(F& f, ObjectEntry& m) {

@@ -164,7 +164,7 @@ PlanResultMessage plan_result_message(const std::string& id, const HandModel& ha
   return m;
 }
 
-HandEntry hand_entry(const HandModel& hand) {
+HandEntry hand_entry(const HandModel& hand, bool uploaded) {
   HandEntry entry;
   entry.name = hand.name;
   entry.title = hand.title.empty() ? hand.name : hand.title.substr(0, 200);
@@ -176,6 +176,13 @@ HandEntry hand_entry(const HandModel& hand) {
   entry.approach_point = drawn_point(hand.approach_point_H);
   entry.approach_direction = direction(hand.approach_direction_H);
   entry.reach = hand_reach(hand);
+  for (const HandDof& dof : hand.dofs)
+    entry.dofs.push_back({wire_name(dof.name), drawn(dof.min), drawn(dof.max)});
+  for (int i = 0; i < hand.eigengrasps.size(); ++i) {
+    const Eigengrasp& e = hand.eigengrasps[i];
+    entry.amplitudes.push_back({wire_name(e.name), drawn(e.min), drawn(e.max)});
+  }
+  entry.uploaded = uploaded;
   return entry;
 }
 

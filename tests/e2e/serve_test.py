@@ -2,11 +2,13 @@
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: The eigengrasp authors
 """`eigengrasp serve`: what it starts with and refuses, HTTP, plans, uploads, files of plans, Ctrl-C."""
+import io
 import json
 import os
 import socket
 import struct
 import unittest
+import zipfile
 
 import support
 import web_client
@@ -19,6 +21,22 @@ def glb_nodes(data):
     size, kind = struct.unpack('<I4s', data[12:20])
     assert kind == b'JSON'
     return [node.get('name') for node in json.loads(data[20:20 + size])['nodes']]
+
+
+def packed_hand(hand, change=lambda text: text, leave_out=None):
+    """A shipped hand's folder as a .zip, its hand.yaml changed."""
+    packed = io.BytesIO()
+    folder = os.path.join(support.SOURCE, 'data', 'hands', hand)
+    with zipfile.ZipFile(packed, 'w', zipfile.ZIP_DEFLATED) as archive:
+        for place, _, names in os.walk(folder):
+            for name in names:
+                if name == leave_out:
+                    continue
+                with open(os.path.join(place, name), encoding='utf-8') as file:
+                    text = file.read()
+                path = os.path.relpath(os.path.join(place, name), os.path.dirname(folder))
+                archive.writestr(path, change(text) if name == 'hand.yaml' else text)
+    return packed.getvalue()
 
 
 class Start(support.EndToEnd):
@@ -211,6 +229,58 @@ class Serving(support.EndToEnd):
                 self.assertIn(named, json.loads(reply)['error'])
                 self.assertNotIn('/tmp', json.loads(reply)['error'])
 
+    def test_an_uploaded_hand_is_a_hand_like_any_other(self):
+        body = packed_hand('barrett-metal', lambda text: text.replace('name: barrett-metal', 'name: three fingers'))
+        code, _, reply = self.server.request('POST', '/api/hands?name=my%20hand.zip', body)
+        self.assertEqual(code, 200, reply)
+        reply = json.loads(reply)
+        self.schema.require(reply, 'UploadReply')
+        self.assertEqual(reply['name'], 'three_fingers')
+        status = self.server.get_json('/api/status')
+        self.schema.require(status, 'Status')
+        hands = {hand['name']: hand for hand in status['hands']}
+        own, shipped = hands['three_fingers'], hands['barrett-metal']
+        self.assertEqual((own['uploaded'], shipped['uploaded']), (True, False))
+        self.assertEqual((own['links'], own['dofs'], own['rest']), (shipped['links'], shipped['dofs'], shipped['rest']))
+        self.assertEqual(glb_nodes(self.server.get('/api/hands/three_fingers/model.glb')[2]),
+                         glb_nodes(self.server.get('/api/hands/barrett-metal/model.glb')[2]))
+        app = self.talk()
+        app.send(type='plan.start', hand='three_fingers', object='glass', options={'iterations': 20000})
+        self.assertEqual(app.wait_for('plan.result')['status'], 'found')
+        app.send(type='online.start', hand='three_fingers', object='glass')
+        app.wait_for('online.ready')
+        app.send(type='wrist', time=1, pose=[0, 0, 0.3, 0, 1, 0, 0])
+        self.assertEqual(len(app.wait_for('view')['link_poses']), own['n_links'])
+        again = json.loads(self.server.request('POST', '/api/hands?name=my%20hand.zip', body)[2])
+        self.assertEqual(again['name'], 'three_fingers-2')
+
+    def test_bad_hands_are_refused_with_a_sentence_that_names_no_folder(self):
+        good = packed_hand('barrett-metal')
+        traversal, bomb = io.BytesIO(), io.BytesIO()
+        with zipfile.ZipFile(traversal, 'w') as archive:
+            archive.writestr('../hand.yaml', 'format: eigengrasp-hand')
+        with zipfile.ZipFile(bomb, 'w', zipfile.ZIP_DEFLATED) as archive:
+            for i in range(5):
+                archive.writestr(f'hand/{i}.obj', b'\0' * (60 << 20))
+        before = self.server.get_json('/api/status')['hands']
+        for path, body, named in (
+                ('/api/hands', good, 'name'), ('/api/hands?name=a.zip', b'', 'empty'),
+                ('/api/hands?name=a.rar', good, '.rar'), ('/api/hands?name=a.zip', good[:len(good) // 2], 'archive'),
+                ('/api/hands?name=a.zip', os.urandom(5000), 'archive'),
+                ('/api/hands?name=a.zip', traversal.getvalue(), '..'),
+                ('/api/hands?name=a.zip', bomb.getvalue(), 'bytes together'),
+                ('/api/hands?name=a.zip', packed_hand('barrett-metal', leave_out='hand.yaml'), 'no hand.yaml'),
+                ('/api/hands?name=a.zip', packed_hand('barrett-rubber'), 'based_on'),
+                ('/api/hands?name=a.zip', packed_hand('barrett-metal', lambda t: t.replace('urdf: ', 'urdf: /etc/')),
+                 'outside')):
+            with self.subTest(path=path, named=named):
+                code, _, reply = self.server.request('POST', path, body)
+                self.assertEqual(code, 400, reply)
+                self.schema.require(json.loads(reply), 'ErrorReply')
+                self.assertIn(named, json.loads(reply)['error'])
+                self.assertNotIn('/tmp', json.loads(reply)['error'])
+        self.assertEqual(self.server.get_json('/api/status')['hands'], before)
+
     def test_other_methods_and_head(self):
         self.assertEqual(self.server.request('DELETE', '/api/objects')[0], 405)
         self.assertEqual(self.server.request('POST', '/api/status', b'x')[0], 405)
@@ -230,6 +300,7 @@ class WithToken(support.EndToEnd):
         for headers in ({}, {'Authorization': 'Bearer wrong'}, {'Authorization': token}):
             self.assertEqual(server.get('/api/hands/human/model.glb', headers)[0], 401)
         self.assertEqual(server.request('POST', '/api/objects?name=a.obj', b'x')[0], 401)
+        self.assertEqual(server.request('POST', '/api/hands?name=a.zip', b'x')[0], 401)
         good = {'Authorization': f'Bearer {token}'}
         self.assertEqual(server.get('/api/hands/human/model.glb', good)[0], 200)
         self.assertGreater(len(server.get_json('/api/status', good)['hands']), 0)

@@ -86,6 +86,35 @@ TEST(HandYaml, RefusesCyclesOfBasedOn) {
                "another hand"));
 }
 
+TEST(HandYaml, KeepsToAFolderWhereItIsToldTo) {
+  const TempFolder folder;
+  folder.write("cube.obj", cube_obj(0.06));
+  folder.write("gripper.urdf", small_urdf);
+  folder.write("in/cube.obj", cube_obj(0.06));
+  folder.write("in/gripper.urdf", small_urdf);
+  folder.write("in/hand.yaml", small_yaml);
+  const HandReadOptions bounds{.only_within = folder.path() / "in"};
+  EXPECT_EQ(load_hand(folder.path() / "in", bounds).name, "gripper");
+  const auto refusal_of = [&] { return error_of([&] { load_hand(folder.path() / "in", bounds); }); };
+
+  folder.write("in/hand.yaml", with(small_yaml, "urdf: gripper.urdf", "urdf: ../gripper.urdf"));
+  EXPECT_THAT(refusal_of(), HasSubstr("urdf is \"../gripper.urdf\", which lies outside"));
+  folder.write("in/hand.yaml", with(small_yaml, "urdf: gripper.urdf", "urdf: /etc/passwd"));
+  EXPECT_THAT(refusal_of(), HasSubstr("urdf is \"/etc/passwd\", which lies outside"));
+  folder.write("in/hand.yaml", "format: eigengrasp-hand\nversion: 1\nbased_on: ..\n");
+  EXPECT_THAT(refusal_of(), HasSubstr("based_on is \"..\", which lies outside"));
+
+  folder.write("in/hand.yaml", small_yaml);
+  folder.write("in/gripper.urdf", with(small_urdf, "cube.obj", "../cube.obj"));
+  EXPECT_THAT(refusal_of(), HasSubstr("filename is \"../cube.obj\", which lies outside"));
+  folder.write("in/gripper.urdf", with(small_urdf, "cube.obj", "file:///etc/passwd"));
+  EXPECT_THAT(refusal_of(), HasSubstr("filename is \"file:///etc/passwd\", which lies outside"));
+  const std::string package = "package://" + folder.path().filename().string() + "/cube.obj";
+  folder.write("in/gripper.urdf", with(small_urdf, "cube.obj", package));
+  EXPECT_THAT(refusal_of(), HasSubstr("is in no package"));
+  EXPECT_EQ(load_hand(folder.path() / "in").name, "gripper");  // without bounds it is found
+}
+
 TEST(HandYaml, SaysWhatItAssumes) {
   const auto short_yaml = small_yaml.substr(0, small_yaml.find("eigengrasps:"));
   const auto text = with(short_yaml, "approach:\n  point: [0, 0, 0.03]\n  direction: [0, 0, 2]\n", "");

@@ -5,9 +5,11 @@
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { parseArgs } from "node:util";
+import * as hand_upload from "./scenarios/hand_upload.ts";
 import * as interactive from "./scenarios/interactive.ts";
 import * as load from "./scenarios/load.ts";
 import * as plan from "./scenarios/plan.ts";
+import * as sharing from "./scenarios/sharing.ts";
 import { token } from "./scenarios/token.ts";
 import { open_browser } from "./support/browser.ts";
 import { Stage } from "./support/stage.ts";
@@ -20,8 +22,10 @@ const secret = "correct-horse";
 type Scenario = (stage: Stage) => Promise<void>;
 const scenarios: Record<string, Scenario> = {
   ...load,
+  ...hand_upload,
   ...plan,
   ...interactive,
+  ...sharing,
   token: (stage) => token(stage, secret),
 };
 

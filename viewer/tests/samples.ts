@@ -17,6 +17,12 @@ export const barrett_like: Hand = {
   approach_point: [0, 0, 0.05],
   approach_direction: [0, 0, 1],
   reach: 0.2,
+  dofs: [
+    { name: "spread", min: 0, max: 3 },
+    { name: "finger", min: 0.5, max: 2.44 },
+  ],
+  amplitudes: [{ name: "close", min: -4, max: 4 }],
+  uploaded: false,
 };
 
 /** Palm along -y, fingers along -x. */
@@ -34,6 +40,9 @@ export const human_like: Hand = {
   approach_point: [-0.13, -0.015, 0],
   approach_direction: [0, -1, 0],
   reach: 0.23,
+  dofs: [],
+  amplitudes: [],
+  uploaded: false,
 };
 
 export const glass_like: SceneObject = {

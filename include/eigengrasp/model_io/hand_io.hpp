@@ -17,6 +17,9 @@ struct HandReadOptions {
   std::vector<std::filesystem::path> graspit_contact_files = {};
   /// GraspIt! robots: file of eigengrasps that replaces that of the robot file.
   std::filesystem::path graspit_eigengrasp_file = {};
+  /// For hands of strangers: a folder in which all files that hand.yaml and URDF name must lie. Empty:
+  /// anywhere.
+  std::filesystem::path only_within = {};
   /// Hears what was assumed where a file says nothing.
   LogSink log = {};
 };

@@ -36,7 +36,7 @@ View::Offer offer_shape(const HandModel& hand, std::uint64_t id, const Grasp& gr
 View view_message(const HandModel& hand, const OnlineView& view);
 PlanResultMessage plan_result_message(const std::string& id, const HandModel& hand, const PlanResult& result);
 
-HandEntry hand_entry(const HandModel& hand);
+HandEntry hand_entry(const HandModel& hand, bool uploaded);
 ObjectEntry object_entry(const std::string& name, const ObjectModel& object, bool uploaded);
 
 WristSample wrist_sample(const Wrist& message);

@@ -12,6 +12,12 @@
 namespace eigengrasp::wire {
 
 struct HandEntry {
+  /// Of a degree of freedom [rad or m] or of the amplitude of an eigengrasp.
+  struct Range {
+    std::string name;
+    double min = 0.0;
+    double max = 0.0;
+  };
   std::string name;
   std::string title;
   int n_dof = 0;
@@ -22,6 +28,9 @@ struct HandEntry {
   Point approach_point{};
   Point approach_direction{0, 0, 1};
   double reach = 0.0;
+  std::vector<Range> dofs;
+  std::vector<Range> amplitudes;
+  bool uploaded = false;
 };
 
 struct ObjectEntry {

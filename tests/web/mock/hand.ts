@@ -37,6 +37,7 @@ export class MockHand {
   constructor(
     readonly name: string,
     folder: string,
+    private readonly uploaded = false,
   ) {
     const yaml = readFileSync(path.join(folder, "hand.yaml"), "utf8");
     const urdf = readFileSync(path.join(folder, /^urdf: *(\S+)/m.exec(yaml)![1]!), "utf8");
@@ -104,6 +105,12 @@ export class MockHand {
       reach: 0.23,
       approach_point: this.approach.point.toArray(),
       approach_direction: this.approach.direction.toArray(),
+      dofs: this.dofs.map(({ joint }) => {
+        const [min, max] = this.limits(joint);
+        return { name: joint, min, max };
+      }),
+      amplitudes: ["first", "second"].map((name) => ({ name, min: -4, max: 4 })),
+      uploaded: this.uploaded,
     };
   }
 }

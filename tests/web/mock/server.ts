@@ -70,6 +70,12 @@ export class MockServer {
         (problem: Error) => json(400, { error: problem.message }),
       ));
     }
+    if (url.pathname === "/api/hands" && request.method === "POST") {
+      return void (await this.upload_hand(request).then(
+        (reply) => json(200, reply),
+        (problem: Error) => json(400, { error: problem.message }),
+      ));
+    }
     if (/^\/api\/plans\/plan-\d+\/(grasps\.json|grasps\.csv|grasp-\d+\.glb)$/.test(url.pathname)) {
       return void answer
         .writeHead(200, { "Content-Type": "application/octet-stream" })
@@ -112,6 +118,12 @@ export class MockServer {
     const name = file.replace(/\.obj$/, "");
     this.world.objects.set(name, { surface: parse_obj(Buffer.concat(body).toString(), scale), uploaded: true });
     return { name, warnings: [] };
+  }
+
+  private async upload_hand(request: IncomingMessage): Promise<{ name: string; warnings: string[] }> {
+    const body: Buffer[] = [];
+    for await (const part of request) body.push(part as Buffer);
+    return { name: this.world.add_hand(Buffer.concat(body)), warnings: [] };
   }
 
   private serve(client: WebSocket): void {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
-import { readdirSync } from "node:fs";
+import { execFileSync } from "node:child_process";
+import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { Vector3 } from "three";
@@ -27,6 +29,21 @@ export class World {
         surface: read_obj(path.join(data, "objects", file)),
         uploaded: false,
       });
+    }
+  }
+
+  /** Takes the folder of a hand in, packed as .tar.gz. Returns its name. */
+  add_hand(archive: Buffer): string {
+    const folder = mkdtempSync(path.join(tmpdir(), "eigengrasp-mock-"));
+    try {
+      execFileSync("tar", ["xzf", "-", "-C", folder], { input: archive, stdio: ["pipe", "ignore", "ignore"] });
+      const inner = path.join(folder, readdirSync(folder)[0] ?? "");
+      if (!existsSync(path.join(inner, "hand.yaml"))) throw new Error("the archive holds no hand.yaml, expected one");
+      const name = /^name: *(\S+)/m.exec(readFileSync(path.join(inner, "hand.yaml"), "utf8"))?.[1] ?? "hand";
+      this.hands.set(name, new MockHand(name, inner, true));
+      return name;
+    } finally {
+      rmSync(folder, { recursive: true });
     }
   }
 

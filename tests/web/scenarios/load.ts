@@ -81,7 +81,7 @@ export async function upload(stage: Stage): Promise<void> {
   const { page } = stage;
   await stage.go();
   await page.selectOption("#units", "mm");
-  const input = page.locator(".left .drop input");
+  const input = page.locator("#drop-object input");
   await input.setInputFiles({ name: "box.obj", mimeType: "model/obj", buffer: Buffer.from(box_file()) });
   await page.waitForSelector('[data-object="box"][aria-pressed="true"]');
   await stage.settled();
@@ -91,8 +91,8 @@ export async function upload(stage: Stage): Promise<void> {
   );
   await stage.shot("box");
   await input.setInputFiles({ name: "notes.obj", mimeType: "text/plain", buffer: Buffer.from("nothing of a mesh\n") });
-  await page.waitForSelector(".left .note.bad");
-  expect((await stage.text(".left .note.bad")).length > 10, "a file that is no mesh is refused with a sentence");
+  await page.waitForSelector("#drop-object .note.bad");
+  expect((await stage.text("#drop-object .note.bad")).length > 10, "a file that is no mesh is refused with a sentence");
   await stage.shot("refused");
   stage.complaints.forgive(/status of 4\d\d/);
 }

@@ -6,7 +6,7 @@ import { fileURLToPath } from "node:url";
 import type { Browser, BrowserContext, Page, WebSocket } from "playwright-core";
 import { Complaints } from "./browser.ts";
 import type { Target } from "./target.ts";
-import type { Pose, ServerMessage, View, Wrist } from "../../../viewer/src/wire/messages.ts";
+import type { Pose, ServerMessage, Targets, View, Wrist } from "../../../viewer/src/wire/messages.ts";
 
 const output = path.resolve(path.dirname(fileURLToPath(import.meta.url)), "../output");
 
@@ -15,11 +15,14 @@ export class Wire {
   readonly wrists: Wrist[] = [];
   readonly types: string[] = [];
   view: View | undefined;
+  /** The list of targets that was sent last. */
+  targets: Targets["targets"] | undefined;
 
   attach(socket: WebSocket): void {
     socket.on("framesent", ({ payload }) => {
       const message = JSON.parse(String(payload)) as { type: string };
       this.types.push(`> ${message.type}`);
+      if (message.type === "targets") this.targets = (message as Targets).targets;
       if (message.type === "wrist") this.wrists.push(message as Wrist);
     });
     socket.on("framereceived", ({ payload }) => {

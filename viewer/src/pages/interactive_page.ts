@@ -12,7 +12,7 @@ import { add_wishes, is_still, moved, still } from "../input/wrist_motion";
 import { type GhostKind, ViewPlayer } from "../scene/view_player";
 import { WristGizmo } from "../scene/wrist_gizmo";
 import { h, set_text } from "../ui/dom";
-import { field, Figures, options_of, save_file, section, tick } from "../ui/parts";
+import { field, Figures, options_of, section, tick } from "../ui/parts";
 import { ViewFigures } from "../ui/view_figures";
 import type { Closed, Pose, View } from "../wire/messages";
 import { key_help } from "./key_help";
@@ -21,6 +21,8 @@ import { OnlineCharts } from "./online_charts";
 import { OnlineOptionsForm } from "./online_options";
 import { OnlineSession } from "./online_session";
 import type { Page } from "./page";
+import { SessionLogs } from "./session_logs";
+import { SharedControl } from "./shared_control";
 
 /** The operator moves the wrist, the planner offers a grasp, one key closes the hand (section IV of the paper). */
 export class InteractivePage implements Page {
@@ -44,6 +46,7 @@ export class InteractivePage implements Page {
   private readonly chart = new OnlineCharts("latency");
   private readonly options = new OnlineOptionsForm(() => {
     this.session.options = this.options.value;
+    this.show_wishes();
     this.session.restart();
   });
   private readonly link = new Figures({
@@ -58,12 +61,8 @@ export class InteractivePage implements Page {
   };
   private readonly to_offer = this.button("offer", "Go to offer", "T", "");
   private readonly closed_text = h("p", { class: "note", id: "closed" });
-  private readonly record = h(
-    "button",
-    { type: "button", id: "record", onclick: () => this.toggle_recording() },
-    "Record",
-  );
-  private readonly recorded = h("small", { class: "note", style: "margin:0" });
+  private readonly logs: SessionLogs;
+  private readonly wishes: SharedControl;
   private readonly modes = [false, true].map((turns) =>
     h(
       "button",
@@ -79,6 +78,8 @@ export class InteractivePage implements Page {
   constructor(private readonly app: App) {
     this.session = new OnlineSession(app);
     this.session.options = this.options.value;
+    this.logs = new SessionLogs(app, this.session);
+    this.wishes = new SharedControl((targets) => this.session.aim(targets));
     this.player = new ViewPlayer(app.bench);
     this.lifting = new Lift(app.bench, () => this.show_buttons());
     this.gizmo = new WristGizmo(app.stage, (pose) => this.session.move(pose));
@@ -100,6 +101,7 @@ export class InteractivePage implements Page {
     this.off = [
       this.app.scene.watch((scene) => {
         this.history.clear();
+        this.show_wishes();
         this.session.want(scene);
       }),
       this.app.stage.frames.on((seconds) => this.frame(seconds)),
@@ -183,7 +185,7 @@ export class InteractivePage implements Page {
       tail: duration(this.session.latency.quantile(0.99)),
       server: duration(this.session.server_time.quantile(0.5)),
     });
-    if (this.session.recorder.running) set_text(this.recorded, `${this.session.recorder.count} lines`);
+    this.logs.show_count();
   }
 
   private show_closed(closed: Closed | undefined): void {
@@ -211,7 +213,6 @@ export class InteractivePage implements Page {
     this.to_offer.disabled = !on || this.holding || !this.session.view?.offer;
     this.buttons.open.disabled = !on || !this.holding;
     set_text(this.buttons.lift.firstChild as Element, this.lifting.up ? "Put down" : "Lift");
-    this.record.disabled = !on && !this.session.recorder.running;
   }
 
   private set_gizmo(turns: boolean): void {
@@ -219,14 +220,9 @@ export class InteractivePage implements Page {
     this.modes.forEach((button, i) => button.classList.toggle("on", (i === 1) === turns));
   }
 
-  private toggle_recording(): void {
-    const { recorder } = this.session;
-    if (recorder.running)
-      save_file(recorder.stop(), `eigengrasp-session-${new Date().toISOString().replace(/[:.]/g, "-")}.jsonl`);
-    else this.session.record();
-    set_text(this.record, recorder.running ? "Stop and save" : "Record");
-    this.record.classList.toggle("stop", recorder.running);
-    set_text(this.recorded, "");
+  private show_wishes(): void {
+    const hand = this.app.scene.value?.hand;
+    if (hand) this.wishes.show(hand, this.session.options);
   }
 
   private button(action: Action, text: string, key: string, look: string): HTMLButtonElement {
@@ -271,13 +267,9 @@ export class InteractivePage implements Page {
         this.closed_text,
       ),
       this.figures.offer,
-      section(
-        "Link",
-        this.link.element,
-        h("div", { class: "row", style: "margin-top:10px" }, this.record, this.recorded),
-      ),
+      section("Link", this.link.element, this.logs.element),
       this.figures.solutions,
-      section("Show", field("Ghost", ghost), cone, this.options.element),
+      section("Show", field("Ghost", ghost), cone, this.options.element, this.wishes.element),
       section(
         "Move the wrist",
         h("div", { class: "row" }, ...this.modes, this.button("home", "Start", "H", ""), this.to_offer),

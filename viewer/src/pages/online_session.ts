@@ -15,6 +15,7 @@ import type {
   OnlineStart,
   Pose,
   ServerMessage,
+  Target,
   View,
 } from "../wire/messages";
 
@@ -42,6 +43,8 @@ export class OnlineSession {
   private order: OnlineStart | undefined;
   private wanted: BenchScene | undefined;
   private dirty = false;
+  private targets: Target[] = [];
+  private targets_due = false;
   private timer: number | undefined;
 
   constructor(private readonly app: App) {
@@ -68,6 +71,14 @@ export class OnlineSession {
     this.wrist = pose;
     this.tracked = false;
     this.dirty = true;
+    this.flush();
+  }
+
+  /** Shared control: all targets that the operator has now; a session that begins later gets them too. */
+  aim(targets: Target[]): void {
+    if (targets.length === 0 && this.targets.length === 0) return;
+    this.targets = targets;
+    this.targets_due = true;
     this.flush();
   }
 
@@ -109,6 +120,7 @@ export class OnlineSession {
     if (message.type === "online.ready") {
       if (!this.wanted || this.stage.value === "off") return;
       this.stage.set("on");
+      if (this.targets.length > 0) this.targets_due = true;
       if (this.wrist) this.move(this.wrist);
     } else if (message.type === "view" && this.stage.value === "on") {
       this.take(message);
@@ -137,14 +149,17 @@ export class OnlineSession {
     this.views.emit({ view, latency });
   }
 
-  /** At most one pose a frame goes out, always the newest; fewer where the network is slow. */
+  /** At most one pose and one list of targets a frame go out, always the newest; fewer where the network is slow. */
   private flush(): void {
     if (this.timer !== undefined) return;
     this.timer = window.setTimeout(() => {
       this.timer = undefined;
-      if (this.dirty && this.stage.value === "on") this.flush();
+      if ((this.dirty || this.targets_due) && this.stage.value === "on") this.flush();
     }, 15);
-    if (!this.dirty || !this.wrist || this.stage.value !== "on" || this.app.connection.backlog > 65536) return;
+    if (this.stage.value !== "on" || this.app.connection.backlog > 65536) return;
+    if (this.targets_due) this.send({ type: "targets", targets: this.targets });
+    this.targets_due = false;
+    if (!this.dirty || !this.wrist) return;
     this.dirty = false;
     this.send({ type: "wrist", time: this.clock.stamp(), pose: this.wrist });
     if (this.wanted) remember("wrist", { scene: key_of(this.wanted), pose: this.wrist } satisfies KeptWrist);

@@ -26,8 +26,8 @@ export class ModelLibrary {
   }
 
   /** The server has another model under a name that is known here. */
-  forget_object(name: string): void {
-    this.kept.delete(`objects/${name}`);
+  forget(kind: "hands" | "objects", name: string): void {
+    this.kept.delete(`${kind}/${name}`);
   }
 
   private load(kind: "hands" | "objects", name: string): Promise<Shapes> {

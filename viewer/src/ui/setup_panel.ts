@@ -5,7 +5,8 @@ import { short_count } from "../core/format";
 import type { Units } from "../wire/api";
 import type { Object as SceneObject } from "../wire/messages";
 import { h, set_text, toggle } from "./dom";
-import { drop_area, field, Figures, options_of, section, tick } from "./parts";
+import { field, Figures, options_of, section, tick } from "./parts";
+import { upload_area } from "./upload_area";
 
 const units: readonly (readonly [Units, string])[] = [
   ["m", "metre"],
@@ -47,7 +48,7 @@ function hand_section(app: App, change: Change): HTMLElement {
     if (!status || !hand) return;
     list.replaceChildren(
       ...options_of(
-        status.hands.map((one) => [one.name, one.name] as const),
+        status.hands.map((one) => [one.name, one.uploaded ? `${one.name} (yours)` : one.name] as const),
         hand.name,
       ),
     );
@@ -59,35 +60,31 @@ function hand_section(app: App, change: Change): HTMLElement {
   };
   app.status.watch(show);
   app.choice.watch(show);
-  return section("Hand", list, title, facts);
+  const drop = upload_area("Drop a hand: .zip, .tar.gz", ".zip,.tar,.gz,.tgz", async (file) => {
+    const reply = await app.api.upload_hand(file);
+    app.models.forget("hands", reply.name);
+    app.scene.set(undefined);
+    await app.refresh();
+    change({ hand: reply.name });
+    return reply;
+  });
+  drop.id = "drop-hand";
+  return section("Hand", list, title, facts, drop);
 }
 
 function object_section(app: App, change: Change): HTMLElement {
   const list = h("div", { class: "choices", id: "objects" });
   const figures = new Figures({ size: "Size [mm]", triangles: "Triangles" });
-  const note = h("p", { class: "note" });
   const unit = h("select", { id: "units" }, ...options_of(units, "m"));
-  const drop = drop_area(
-    "Drop a mesh here, or choose a file",
-    ".obj,.stl,.ply,.off,.glb,.gltf,.dae,.iv,.wrl",
-    (file) => void upload(file),
-  );
-
-  async function upload(file: File): Promise<void> {
-    note.className = "note";
-    set_text(note, `Loading ${file.name} …`);
-    try {
-      const reply = await app.api.upload(file, unit.value as Units);
-      app.models.forget_object(reply.name);
-      app.scene.set(undefined);
-      await app.refresh();
-      change({ object: reply.name, scale: 1 });
-      set_text(note, reply.warnings.join(" ") || `Loaded ${reply.name}.`);
-    } catch (problem) {
-      note.className = "note bad";
-      set_text(note, problem instanceof Error ? problem.message : String(problem));
-    }
-  }
+  const drop = upload_area("Drop a mesh here, or choose a file", ".obj,.stl,.ply,.off,.glb", async (file) => {
+    const reply = await app.api.upload_object(file, unit.value as Units);
+    app.models.forget("objects", reply.name);
+    app.scene.set(undefined);
+    await app.refresh();
+    change({ object: reply.name, scale: 1 });
+    return reply;
+  });
+  drop.id = "drop-object";
 
   const show = () => {
     const choice = app.choice.value;
@@ -109,7 +106,7 @@ function object_section(app: App, change: Change): HTMLElement {
   figures.element.style.marginTop = "8px";
   const units_field = field("Units of a file", unit);
   units_field.style.marginTop = "8px";
-  return section("Object", list, figures.element, units_field, drop, note);
+  return section("Object", list, figures.element, units_field, drop);
 }
 
 function object_button(object: SceneObject, chosen: boolean, on_click: () => void): HTMLElement {

@@ -28,9 +28,17 @@ export class Api {
     return (await this.fetch(`api/plans/${encodeURIComponent(plan)}/${encodeURIComponent(file)}`)).blob();
   }
 
-  async upload(file: File, units: Units): Promise<UploadReply> {
-    const query = new URLSearchParams({ name: file.name, units });
-    const answer = await this.fetch(`api/objects?${query}`, { method: "POST", body: file });
+  async upload_object(file: File, units: Units): Promise<UploadReply> {
+    return this.upload("api/objects", { name: file.name, units }, file);
+  }
+
+  /** @param file an archive of a hand's folder */
+  async upload_hand(file: File): Promise<UploadReply> {
+    return this.upload("api/hands", { name: file.name }, file);
+  }
+
+  private async upload(path: string, query: Record<string, string>, file: File): Promise<UploadReply> {
+    const answer = await this.fetch(`${path}?${new URLSearchParams(query)}`, { method: "POST", body: file });
     return (await answer.json()) as UploadReply;
   }
 

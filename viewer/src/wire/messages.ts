@@ -499,6 +499,11 @@ export interface LogLine {
   in?: ClientMessage;
   out?: ServerMessage;
 }
+export interface Range {
+  name: Name;
+  min: number;
+  max: number;
+}
 export interface Hand {
   name: Name;
   title: string;
@@ -519,6 +524,21 @@ export interface Hand {
    * Radius of the ball about the base that holds the open hand [m].
    */
   reach: number;
+  /**
+   * In the order of every posture [rad or m].
+   *
+   * @minItems 0
+   * @maxItems 256
+   */
+  dofs: Range[];
+  /**
+   * Of its eigengrasps.
+   *
+   * @minItems 0
+   * @maxItems 256
+   */
+  amplitudes: Range[];
+  uploaded: boolean;
 }
 export interface Object {
   name: Name;
@@ -555,7 +575,7 @@ export interface Status {
   logs: boolean;
 }
 /**
- * POST /api/objects?name=NAME&units=UNITS
+ * POST /api/objects?name=NAME&units=UNITS, POST /api/hands?name=NAME
  */
 export interface UploadReply {
   name: Name;
