@@ -8,6 +8,7 @@
 #include "database/number_list.hpp"
 #include "database/record_checks.hpp"
 #include "database/sql_store.hpp"
+#include "eigengrasp/core/error.hpp"
 
 namespace eigengrasp {
 

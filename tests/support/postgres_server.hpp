@@ -45,7 +45,11 @@ class PostgresServer {
     start();
   }
   ~PostgresServer() {
-    stop();
+    try {
+      stop();
+    } catch (const std::exception& e) {
+      fmt::print(stderr, "{}\n", e.what());
+    }
     std::error_code ec;
     std::filesystem::remove_all(folder_, ec);
   }
