@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
-// Grasp stores of 250,000 grasps of a hand with 20 joints and 10 contacts: 1,250 objects, four scales, two hands,
-// 25 grasps a unit. insert: units stored 1 or 40 a transaction (items are grasps; the disk is waited for as
-// always). load: all 100 grasps of an object and hand, and found counts them. claim: a unit of work among
-// 10,000. EIGENGRASP_BENCH_GRASPS: another number of grasps.
+// Grasp stores of 250,000 grasps of a hand with 20 joints and 10 contacts: 1,250 objects, four scales, two
+// hands, 25 grasps a unit. insert: units stored 1 or 40 a transaction (items are grasps; the disk is waited
+// for as always). load: all 100 grasps of an object and hand, and found counts them. claim: a unit of work
+// among 10,000. EIGENGRASP_BENCH_GRASPS: another number of grasps.
 #include <benchmark/benchmark.h>
 
 #include <cstdlib>
@@ -120,10 +120,12 @@ void load(benchmark::State& state, const std::string& kind) {
   const std::size_t objects = bench->size() / (kGraspsOfUnit * kScales.size() * kHands.size());
   std::size_t i = 0, found = 0;
   for (auto _ : state) {
-    const auto grasps = bench->store().grasps(BenchStore::object(++i * 7919 % objects), kHands[i % 2]);
+    ++i;
+    const auto grasps = bench->store().grasps(BenchStore::object(i * 7919 % objects), kHands[i % 2]);
     found += grasps.size();
   }
-  state.counters["found"] = benchmark::Counter(static_cast<double>(found), benchmark::Counter::kAvgIterations);
+  state.counters["found"] =
+      benchmark::Counter(static_cast<double>(found), benchmark::Counter::kAvgIterations);
   state.counters["of"] = static_cast<double>(bench->size());
 }
 
@@ -146,9 +148,9 @@ void claim(benchmark::State& state, const std::string& kind) {
 
 }  // namespace
 
-#define STORE_BENCHMARKS(kind)                                                                                \
-  BENCHMARK_CAPTURE(insert, kind, #kind)->Arg(1)->Arg(40)->Unit(benchmark::kMillisecond)->UseRealTime();       \
-  BENCHMARK_CAPTURE(load, kind, #kind)->Unit(benchmark::kMillisecond)->UseRealTime();                          \
+#define STORE_BENCHMARKS(kind)                                                                           \
+  BENCHMARK_CAPTURE(insert, kind, #kind)->Arg(1)->Arg(40)->Unit(benchmark::kMillisecond)->UseRealTime(); \
+  BENCHMARK_CAPTURE(load, kind, #kind)->Unit(benchmark::kMillisecond)->UseRealTime();                    \
   BENCHMARK_CAPTURE(claim, kind, #kind)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1000)
 STORE_BENCHMARKS(sqlite);
 STORE_BENCHMARKS(postgresql);

@@ -23,5 +23,6 @@ void add_object_command(CLI::App& app);
 void add_bench_command(CLI::App& app, int& exit_code);
 void add_online_bench_command(CLI::App& app, int& exit_code);
 void add_reproduce_command(CLI::App& app, int& exit_code);
+void add_db_command(CLI::App& app, int& exit_code);
 
 }  // namespace eigengrasp::cli

@@ -101,16 +101,19 @@ void check_header(const fs::path& file) {
     fail("sqlite:{}: is cut short ({} bytes of {}); restore it from a copy", file.string(), size, expected);
 }
 
-/// Nobody can write beside the file, so that SQLite could not make its log there, and there is no log to read.
+/// Nobody can write beside the file, so that SQLite could not make its log there, and there is no log to
+/// read.
 bool is_frozen(const fs::path& file) {
   std::error_code ec;
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-  return ::faccessat(AT_FDCWD, folder.c_str(), W_OK, AT_EACCESS) != 0 && !fs::exists(file.string() + "-wal", ec);
+  return ::faccessat(AT_FDCWD, folder.c_str(), W_OK, AT_EACCESS) != 0 &&
+         !fs::exists(file.string() + "-wal", ec);
 }
 
 std::string frozen_uri(const std::string& file) {
   std::string uri = file.starts_with('/') ? "file://" : "file:";
-  for (const char c : file) uri += c == '%' || c == '?' || c == '#' ? fmt::format("%{:02X}", c) : std::string(1, c);
+  for (const char c : file)
+    uri += c == '%' || c == '?' || c == '#' ? fmt::format("%{:02X}", c) : std::string(1, c);
   return uri + "?immutable=1";
 }
 
@@ -166,7 +169,8 @@ class SqliteConnection : public SqlConnection {
     std::error_code ec;
     if (fs::is_directory(file_, ec)) fail("sqlite:{}: is a folder, expected a file", file_);
     if (reading && !fs::exists(file_, ec)) fail("sqlite:{}: there is no such file", file_);
-    const int flags = reading ? SQLITE_OPEN_READONLY | SQLITE_OPEN_URI : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+    const int flags =
+        reading ? SQLITE_OPEN_READONLY | SQLITE_OPEN_URI : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
     sqlite3* db = nullptr;
     const std::string name = reading && is_frozen(file_) ? frozen_uri(file_) : file_;
     const int rc = sqlite3_open_v2(name.c_str(), &db, flags, nullptr);

@@ -105,7 +105,9 @@ TEST_F(BadStores, a_locked_sqlite_file) {
   ASSERT_EQ(sqlite3_exec(other, "BEGIN IMMEDIATE", nullptr, nullptr, nullptr), SQLITE_OK);
   const auto store = open_store(address, {.lock_seconds = 0.1});
   EXPECT_EQ(store->grasps("glass", "human").size(), 40u);  // reading goes on
-  expect_sentence(error_of([&] { store->finish_unit(done({"psb_12", 1.0, "human"}, 1, 2)); }),
+  expect_sentence(error_of([&] {
+                    store->finish_unit(done({"psb_12", 1.0, "human"}, 1, 2));
+                  }),
                   {"locked by another program", "0.1 s"});
   sqlite3_close(other);
   EXPECT_TRUE(store->finish_unit(done({"psb_12", 1.0, "human"}, 1, 2)));
@@ -191,7 +193,8 @@ TEST_F(BadServers, wrong_password_missing_database_and_no_server) {
   expect_sentence(wrong, {"name or password", "grasp@127.0.0.1"});
   EXPECT_EQ(wrong.find("wr0ng"), std::string::npos) << wrong;
   expect_sentence(open_error(server.address("no_such")), {"no_such", "no such database", "createdb"});
-  expect_sentence(open_error("postgresql://grasp:secret@127.0.0.1:1/x"), {"127.0.0.1:1", "no PostgreSQL server"});
+  expect_sentence(open_error("postgresql://grasp:secret@127.0.0.1:1/x"),
+                  {"127.0.0.1:1", "no PostgreSQL server"});
 }
 
 TEST_F(BadServers, a_database_of_another_program_or_without_a_store) {
@@ -199,8 +202,9 @@ TEST_F(BadServers, a_database_of_another_program_or_without_a_store) {
   expect_sentence(open_error(address, StoreAccess::read), {"no grasp store", "add-objects"});
   PostgresServer::query(address, "CREATE TABLE grasp (x INTEGER)");
   expect_sentence(open_error(address), {"another program"});
-  EXPECT_EQ(PostgresServer::query(address, "SELECT count(*) FROM information_schema.tables WHERE table_schema = "
-                                           "'public'")[1][0],
+  EXPECT_EQ(PostgresServer::query(address,
+                                  "SELECT count(*) FROM information_schema.tables WHERE table_schema = "
+                                  "'public'")[1][0],
             "1");
 }
 
@@ -219,7 +223,9 @@ TEST_F(BadServers, a_server_that_goes_and_comes_back) {
   const auto store = open_store(address);
   EXPECT_EQ(store->counts().grasps, 40);
   PostgresServer::instance()->stop();
-  expect_sentence(error_of([&] { store->finish_unit(done({"psb_12", 1.0, "human"}, 1, 2)); }),
+  expect_sentence(error_of([&] {
+                    store->finish_unit(done({"psb_12", 1.0, "human"}, 1, 2));
+                  }),
                   {"127.0.0.1", "server"});
   PostgresServer::instance()->start();
   error_of([&] { store->counts(); });  // may still notice the loss

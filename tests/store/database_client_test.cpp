@@ -107,9 +107,10 @@ TEST_F(CgdbClient, is_told_what_was_wrong_with_a_grasp) {
                std::runtime_error);
   EXPECT_THROW(ask("SELECT * FROM save_grasp('psb_1_12','claw', " + arrays + ", '{}', 0, 0, 0, 'x')"),
                std::runtime_error);
-  EXPECT_THROW(ask("SELECT * FROM save_grasp('psb_1_12','barrett', '{5}', '{0, 1}', '{5}', '{0, 1}', '{}', 0, 0, "
-                   "0, 'x')"),
-               std::runtime_error);
+  EXPECT_THROW(
+      ask("SELECT * FROM save_grasp('psb_1_12','barrett', '{5}', '{0, 1}', '{5}', '{0, 1}', '{}', 0, 0, "
+          "0, 'x')"),
+      std::runtime_error);
   EXPECT_EQ(store_->counts().grasps, 3);
 }
 
@@ -129,7 +130,8 @@ TEST_F(CgdbClient, asks_for_neighbours_and_alignments) {
   rows = ask("SELECT get_alignment('psb_1_12','glass_1','pca')");
   const std::vector<double> expected = {1, 0, 0, 250, 0, 1, -2, 0, 0, 0, 1, 0, 0, 0, 0, 1};
   EXPECT_EQ(array(rows.at(1)[0], false), expected);
-  EXPECT_EQ(cell(ask("SELECT * FROM get_distance_function_names();"), 0, "distance_function_name"), "zernike");
+  EXPECT_EQ(cell(ask("SELECT * FROM get_distance_function_names();"), 0, "distance_function_name"),
+            "zernike");
   EXPECT_EQ(cell(ask("SELECT * FROM get_alignment_method_names();"), 0, "alignment_method_name"), "pca");
   EXPECT_EQ(cell(ask("SELECT * FROM get_grasp_type_names();"), 0, "grasp_type_name"), "planner");
 }

@@ -21,7 +21,9 @@ class StoreCopy : public testing::StoreFixture {
   static void fill(GraspStore& store) {
     fill_tables(store);
     store.add_source({"GraspIt!", "by hand"});
-    store.add_units({{"psb_12", 1.0, "human"}, {"glass", 1.0, "human"}, {"glass", 0.75, "human"},
+    store.add_units({{"psb_12", 1.0, "human"},
+                     {"glass", 1.0, "human"},
+                     {"glass", 0.75, "human"},
                      {"psb_12", 1.5, "barrett"}});
     UnitResult mixed = done({"glass", 1.0, "human"}, 4, 1);
     mixed.grasps[2].source = "GraspIt!";

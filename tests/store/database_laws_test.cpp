@@ -48,7 +48,8 @@ TEST_P(StoreLaws, records_read_back_equal_and_in_order) {
     EXPECT_EQ(models[0].rescale, 0.1234567890123456);
     EXPECT_EQ(models[1].geometry_path, "/meshes/glass \\ é.obj");
     EXPECT_EQ(models[1].scales, (std::vector<double>{0.75, 1.0}));
-    EXPECT_EQ(store_->hands(), (std::vector<StoredHand>{stored_hand("human", 20), stored_hand("barrett", 7)}));
+    EXPECT_EQ(store_->hands(),
+              (std::vector<StoredHand>{stored_hand("human", 20), stored_hand("barrett", 7)}));
     EXPECT_EQ(store_->sources(), (std::vector<GraspSource>{{"planner", "annealing, \"staged\""}}));
     reopen();
   }
@@ -142,7 +143,10 @@ TEST_P(StoreLaws, all_of_a_call_or_nothing) {
   expect_sentence(error_of([&] { store_->finish_unit(stray); }), {"1.25"});
   const auto unknown = error_of([&] { store_->add_units({small_glass_, {"cup", 1.0, "human"}}); });
   expect_sentence(unknown, {"no object 'cup'"});
-  expect_sentence(error_of([&] { store_->add_units({{"glass", 3.0, "human"}}); }), {"glass", "not at scale 3"});
+  expect_sentence(error_of([&] {
+                    store_->add_units({{"glass", 3.0, "human"}});
+                  }),
+                  {"glass", "not at scale 3"});
   expect_sentence(error_of([&] { store_->add_units({{"glass", 1.0, "claw"}}); }), {"no hand 'claw'"});
   EXPECT_EQ(store_->counts(), before);
   reopen();

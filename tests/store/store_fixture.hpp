@@ -26,7 +26,9 @@ class StoreFixture : public ::testing::Test {
     std::filesystem::remove_all(folder_, ec);
   }
 
-  static bool available(const std::string& kind) { return kind != "postgresql" || PostgresServer::instance(); }
+  static bool available(const std::string& kind) {
+    return kind != "postgresql" || PostgresServer::instance();
+  }
   std::string new_address(const std::string& kind) {
     const std::string name = fmt::format("store{}", count_++);
     if (kind == "sqlite") return fmt::format("sqlite:{}/{}.db", folder_.string(), name);
@@ -36,10 +38,16 @@ class StoreFixture : public ::testing::Test {
 
   /// Two objects, two hands, a source.
   static void fill_tables(GraspStore& store) {
-    store.add_model({"psb_12", "/meshes/m12.off", "0123", {"plane", "F \"117\", {old}"}, 0.1234567890123456,
-                     0.07, "", {0.75, 1.0, 1.25, 1.5}});
-    store.add_model({"glass", "/meshes/glass \\ é.obj", "4567", {}, 1.0, 0.05, "thumbnails/glass.png",
-                     {0.75, 1.0}});
+    store.add_model({"psb_12",
+                     "/meshes/m12.off",
+                     "0123",
+                     {"plane", "F \"117\", {old}"},
+                     0.1234567890123456,
+                     0.07,
+                     "",
+                     {0.75, 1.0, 1.25, 1.5}});
+    store.add_model(
+        {"glass", "/meshes/glass \\ é.obj", "4567", {}, 1.0, 0.05, "thumbnails/glass.png", {0.75, 1.0}});
     store.add_hand(stored_hand("human", 20));
     store.add_hand(stored_hand("barrett", 7));
     store.add_source({"planner", "annealing, \"staged\""});

@@ -18,8 +18,8 @@
 
 namespace eigengrasp::testing {
 
-/// A PostgreSQL server of its own: in a scratch folder, on a free port of the loopback, gone at the end. Runs as
-/// the user postgres where the tests run as root, because the server refuses to be root.
+/// A PostgreSQL server of its own: in a scratch folder, on a free port of the loopback, gone at the end. Runs
+/// as the user postgres where the tests run as root, because the server refuses to be root.
 class PostgresServer {
  public:
   /// The one of this program, started when it is asked for first. None where PostgreSQL is not installed.
@@ -38,7 +38,8 @@ class PostgresServer {
     folder_ = name;
     std::ofstream(folder_ / "password") << "secret\n";
     if (::geteuid() == 0) run_here("chown -R postgres " + folder_.string());
-    run(fmt::format("initdb -D {0}/data -U grasp --pwfile={0}/password -A scram-sha-256 -E UTF8 --locale=C "
+    run(
+        fmt::format("initdb -D {0}/data -U grasp --pwfile={0}/password -A scram-sha-256 -E UTF8 --locale=C "
                     "--no-sync",
                     folder_.string()));
     port_ = free_port();
@@ -57,8 +58,9 @@ class PostgresServer {
   PostgresServer& operator=(const PostgresServer&) = delete;
 
   void start() {
-    run(fmt::format("pg_ctl -D {0}/data -l {0}/log -w -o '-p {1} -k {0} -c listen_addresses=127.0.0.1 {2}' start",
-                    folder_.string(), port_, getenv_or("EIGENGRASP_TEST_PG_OPTIONS", "-c fsync=off")));
+    run(fmt::format(
+        "pg_ctl -D {0}/data -l {0}/log -w -o '-p {1} -k {0} -c listen_addresses=127.0.0.1 {2}' start",
+        folder_.string(), port_, getenv_or("EIGENGRASP_TEST_PG_OPTIONS", "-c fsync=off")));
   }
   void stop() { run(fmt::format("pg_ctl -D {}/data -m fast -w stop", folder_.string())); }
 
@@ -123,7 +125,8 @@ class PostgresServer {
   }
 
   void run_here(const std::string& command) const {
-    const std::string quiet = fmt::format("cd / && {} >>{}/commands 2>&1 </dev/null", command, folder_.string());
+    const std::string quiet =
+        fmt::format("cd / && {} >>{}/commands 2>&1 </dev/null", command, folder_.string());
     if (std::system(quiet.c_str()) != 0) throw std::runtime_error("failed: " + command);
   }
   void run(const std::string& command) const {
