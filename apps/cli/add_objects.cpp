@@ -17,6 +17,7 @@
 #include "eigengrasp/geometry/mass_properties.hpp"
 #include "eigengrasp/geometry/mesh_io.hpp"
 #include "eigengrasp/model_io/psb_io.hpp"
+#include "eigengrasp/render/pictures.hpp"
 
 namespace eigengrasp::cli {
 
@@ -66,6 +67,17 @@ std::vector<Candidate> psb_candidates(const fs::path& folder, AddObjectsReport& 
   return found;
 }
 
+/// Draws an object from above and aside. @returns the picture's path
+std::string draw_thumbnail(const ObjectModel& object, const std::string& name, const fs::path& folder) {
+  RenderScene scene;
+  scene.add(object.mesh, Pose::Identity(), Palette().object);
+  const Vec3 view = Vec3(-1.0, 0.6, -0.7).normalized();
+  const Camera camera = frame_camera(bounding_box(object.mesh), view, Vec3::UnitZ(), kDefaultFov, 1.0, 0.05);
+  const fs::path file = fs::absolute(folder / (name + ".png")).lexically_normal();
+  save_png(render(scene, camera, {.width = 160, .height = 160, .threads = 1}), file);
+  return file.string();
+}
+
 /// A mesh without units always gets a graspable size, another one where it has none.
 StoredModel measure(const Candidate& candidate, const AddObjectsChoice& choice) {
   const std::string units = choice.psb                         ? "m"
@@ -86,6 +98,8 @@ StoredModel measure(const Candidate& candidate, const AddObjectsChoice& choice) 
   model.rescale = unit_length(units) * factor;
   model.approximate_radius = factor * approximate_radius(object.mesh, object.center_of_mass);
   model.scales = choice.scales;
+  if (!choice.thumbnails.empty())
+    model.thumbnail_path = draw_thumbnail(object, model.name, choice.thumbnails);
   return model;
 }
 
@@ -95,6 +109,7 @@ AddObjectsReport add_objects(const AddObjectsChoice& choice, GraspStore& store, 
   AddObjectsReport report;
   const auto candidates =
       choice.psb ? psb_candidates(choice.folder, report) : folder_candidates(choice.folder);
+  if (!choice.thumbnails.empty()) require_writable_folder(choice.thumbnails);
   ProgressBar bar;
   constexpr std::size_t at_once = 64;  // stored in order, while the next ones are read
   for (std::size_t begin = 0; begin < candidates.size() && !report.stopped; begin += at_once) {

@@ -18,6 +18,7 @@ struct AddObjectsChoice {
   bool psb = false;        ///< the Princeton Shape Benchmark's layout; its meshes have no units
   bool keep_size = false;  ///< no rescaling, whatever the size
   std::vector<double> scales = {0.75, 1.0, 1.25, 1.5};
+  std::filesystem::path thumbnails;  ///< folder for a picture of each object; empty: none
   int threads = 0;
 };
 

@@ -160,6 +160,8 @@ void add_adding(CLI::App& db, int& exit_code) {
   add->add_option("--scales", choice->scales,
                   "Scales to grasp objects at, ascending (default: 0.75,1,1.25,1.5)")
       ->delimiter(',');
+  add->add_option("--thumbnails", choice->thumbnails,
+                  "Folder for a small picture of each object (default: none)");
   add->add_option("--threads", choice->threads, "Default: all");
   add->footer(
       "An object is rescaled where the middle side of its box is not 1 to 15 cm or the longest not 3 to 40 "

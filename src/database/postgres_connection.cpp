@@ -26,6 +26,7 @@ const SqlDialect& postgres_dialect() {
       .lock_schema = "SELECT pg_advisory_xact_lock(73183491)",
       .clock = "CAST(extract(epoch FROM clock_timestamp()) AS DOUBLE PRECISION)",
       .skip_locked = " FOR UPDATE SKIP LOCKED",
+      .light_commit = "SET LOCAL synchronous_commit = off",
       .next_rank = "SELECT next_grasp_rank($1, $2)",
       .texts_in = "ARRAY(SELECT jsonb_array_elements_text(CAST({} AS JSONB)))",
       .texts_out = "CAST(array_to_json({}) AS TEXT)",

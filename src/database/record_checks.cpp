@@ -168,7 +168,8 @@ void require_same(const StoredModel& there, const StoredModel& added) {
   if (there.content_hash != added.content_hash)
     fail("object '{}' is in the store already, with another geometry ({}); give one of them another name",
          added.name, there.geometry_path);
-  fail("object '{}' is in the store already, with another path, size or tags; expected the same", added.name);
+  fail("object '{}' is in the store already, with another path, thumbnail, size or tags; expected the same",
+       added.name);
 }
 
 void require_same(const StoredHand& there, const StoredHand& added) {

@@ -40,6 +40,7 @@ struct SqlDialect {
   std::string lock_schema;              ///< first statement of a migration; empty: none
   std::string clock;                    ///< seconds since 1970
   std::string skip_locked;              ///< ending of a SELECT that takes a row which no one else has
+  std::string light_commit;             ///< the transaction need not outlive a power cut; empty: none
   std::string next_rank;                ///< query for the rank of a grasp: scaled model $1, hand $2
   // A list of texts is JSON and a list of numbers {1,2} on our side.
   std::string texts_in, texts_out, numbers_in, numbers_out;  ///< with {} for the parameter or column

@@ -60,6 +60,8 @@ std::optional<UnitKey> SqlStore::claim_unit(const std::string& worker, double le
           "(work_unit_state = 'waiting' OR work_unit_lease < @clock) ORDER BY work_unit_id LIMIT 1" +
           db_->dialect().skip_locked + ") RETURNING scaled_model_id, hand_id");
   SqlTransaction transaction(*db_);
+  // A claim that a power cut takes is a unit that waits again.
+  if (!db_->dialect().light_commit.empty()) db_->script(db_->dialect().light_commit);
   std::optional<Slot> slot;
   db_->run(claim, {worker, lease_seconds}, [&](const SqlRow& row) {
     slot = Slot{row.integer(0), row.integer(1)};

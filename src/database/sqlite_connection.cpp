@@ -30,6 +30,7 @@ const SqlDialect& sqlite_dialect() {
       .lock_schema = "",
       .clock = "((julianday('now') - 2440587.5) * 86400.0)",
       .skip_locked = "",
+      .light_commit = "",
       .next_rank =
           "SELECT coalesce(max(grasp_rank) + 1, 0) FROM grasp WHERE scaled_model_id = $1 AND "
           "hand_id = $2",
@@ -125,9 +126,10 @@ class SqliteConnection : public SqlConnection {
     open();
     sqlite3_busy_timeout(db_.get(), static_cast<int>(1000.0 * options.lock_seconds));
     check_owner();
-    if (options.access == StoreAccess::read) return;
-    script("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL; PRAGMA foreign_keys = ON;");
     script("PRAGMA cache_size = -65536;");
+    const bool reading = options.access == StoreAccess::read;
+    script(reading ? "PRAGMA query_only = ON;"
+                   : "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL; PRAGMA foreign_keys = ON;");
   }
 
   std::string place() const override { return "sqlite:" + file_; }
@@ -169,10 +171,14 @@ class SqliteConnection : public SqlConnection {
     std::error_code ec;
     if (fs::is_directory(file_, ec)) fail("sqlite:{}: is a folder, expected a file", file_);
     if (reading && !fs::exists(file_, ec)) fail("sqlite:{}: there is no such file", file_);
-    const int flags =
-        reading ? SQLITE_OPEN_READONLY | SQLITE_OPEN_URI : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+    const bool frozen = reading && is_frozen(file_);
+    const std::string name = frozen ? frozen_uri(file_) : file_;
+    // A reader opens for writing as well, so that it can take away the log's files when it is the last; that it
+    // writes nothing else is seen to by query_only.
+    const int flags = frozen    ? SQLITE_OPEN_READONLY | SQLITE_OPEN_URI
+                      : reading ? SQLITE_OPEN_READWRITE
+                                : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
     sqlite3* db = nullptr;
-    const std::string name = reading && is_frozen(file_) ? frozen_uri(file_) : file_;
     const int rc = sqlite3_open_v2(name.c_str(), &db, flags, nullptr);
     db_.reset(db);
     if (rc != SQLITE_OK) complain(rc);
@@ -183,11 +189,9 @@ class SqliteConnection : public SqlConnection {
   /// A new file gets our mark; one of another program is left alone.
   void check_owner() {
     std::int64_t id = 0, tables = 0;
-    const auto ask = [&] {
-      run("PRAGMA application_id", {}, [&](const SqlRow& row) { id = row.integer(0); });
-      run("SELECT count(*) FROM sqlite_master", {}, [&](const SqlRow& row) { tables = row.integer(0); });
-    };
-    ask();
+    // Tables first: another program that makes the store right now sets the mark before it makes tables.
+    run("SELECT count(*) FROM sqlite_master", {}, [&](const SqlRow& row) { tables = row.integer(0); });
+    run("PRAGMA application_id", {}, [&](const SqlRow& row) { id = row.integer(0); });
     if (id == kApplicationId) return;
     if (id != 0 || tables > 0)
       fail("sqlite:{}: is an SQLite file of another program, not a grasp store", file_);
@@ -206,8 +210,11 @@ class SqliteConnection : public SqlConnection {
         fail("{}: is damaged ({}); restore it from a copy", place(), sqlite3_errstr(rc));
       case SQLITE_FULL:
         fail("{}: the disk is full; nothing of this step was stored", place());
-      case SQLITE_CANTOPEN:
       case SQLITE_READONLY:
+        if (options_.access == StoreAccess::read && db_)
+          fail("{}: was opened for reading and cannot be written", place());
+        [[fallthrough]];
+      case SQLITE_CANTOPEN:
       case SQLITE_PERM:
         fail("{}: cannot be opened or written; is its folder there, and may you write to it?", place());
       default:

@@ -4,6 +4,7 @@
 import json
 import sqlite3
 import support
+from pathlib import Path
 from support import EndToEnd, box_obj
 
 
@@ -38,6 +39,13 @@ class Database(EndToEnd):
         self.assertTrue(0.04 < box['approximate_radius'] < 1.2 * half_diagonal, box)
         again = self.add('text:store')
         self.assertIn('0 objects are new, 2 were there', again.stdout)
+
+    def test_thumbnails(self):
+        self.meshes()
+        self.succeed('db', 'add-objects', 'text:store', 'meshes', '--units', 'mm', '--thumbnails', 'pictures')
+        for line in self.file_lines('store/models.jsonl'):
+            self.assertEqual(line['thumbnail_path'], str((self.folder / 'pictures' / line['name']).resolve()) + '.png')
+            self.assertEqual(Path(line['thumbnail_path']).read_bytes()[:8], b'\x89PNG\r\n\x1a\n')
 
     def file_lines(self, name):
         return [json.loads(line) for line in (self.folder / name).read_text().splitlines()[1:]]

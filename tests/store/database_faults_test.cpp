@@ -43,7 +43,8 @@ class StoreFaults : public testing::StoreFixture, public ::testing::WithParamInt
     if (pid != 0) return pid;
     try {
       const auto store = open_store(address);
-      while (const auto unit = store->claim_unit("worker", 0.0)) store->finish_unit(done(*unit, kGrasps, seed));
+      while (const auto unit = store->claim_unit("worker", 0.0))
+        store->finish_unit(done(*unit, kGrasps, seed));
     } catch (const std::exception& e) {
       fmt::print(stderr, "worker: {}\n", e.what());
       ::_exit(1);
@@ -87,8 +88,12 @@ TEST_P(StoreFaults, killed_writers_leave_whole_units) {
   EXPECT_EQ(store->counts().done, kUnits);
 }
 
-TEST_P(StoreFaults, a_full_disk_is_said_and_leaves_whole_units) {
-  if (std::string(GetParam()) == "postgresql") GTEST_SKIP() << "the server's disk is not this program's";
+/// Stores whose disk is this program's.
+class FullDisk : public StoreFaults {};
+INSTANTIATE_TEST_SUITE_P(FileStores, FullDisk, ::testing::Values("sqlite", "text"),
+                         [](const auto& kind) { return std::string(kind.param); });
+
+TEST_P(FullDisk, is_said_and_leaves_whole_units) {
   const auto disk = folder_ / "disk";
   std::filesystem::create_directory(disk);
   if (::mount("tmpfs", disk.c_str(), "tmpfs", 0, "size=3m") != 0)
