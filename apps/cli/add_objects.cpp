@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 
@@ -13,6 +14,7 @@
 #include "eigengrasp/core/content_hash.hpp"
 #include "eigengrasp/core/error.hpp"
 #include "eigengrasp/core/files.hpp"
+#include "eigengrasp/database/grasp_store.hpp"
 #include "eigengrasp/database/graspable_size.hpp"
 #include "eigengrasp/geometry/mass_properties.hpp"
 #include "eigengrasp/geometry/mesh_io.hpp"
@@ -30,6 +32,18 @@ struct Candidate {
   fs::path mesh;
   std::vector<std::string> tags;
 };
+
+void require_sound(const AddObjectsChoice& choice) {
+  if (choice.psb && !choice.units.empty())
+    fail("--units is '{}' beside --psb, whose meshes have no units; leave one of them out", choice.units);
+  if (!choice.units.empty()) unit_length(choice.units);
+  double last = 0.0;
+  for (const double scale : choice.scales) {
+    if (!(scale > last) || !std::isfinite(scale))
+      fail("--scales holds {} behind {}, expected ascending numbers above 0", scale, last);
+    last = scale;
+  }
+}
 
 /// Endings of the files that load_object reads beside meshes.
 bool is_open_inventor(const fs::path& file) {
@@ -78,12 +92,11 @@ std::string draw_thumbnail(const ObjectModel& object, const std::string& name, c
   return file.string();
 }
 
-/// A mesh without units always gets a graspable size, another one where it has none.
+/// A mesh without units always gets a graspable size, another one where it has none. Millimetres are as good
+/// as any for the former, and let huge numbers pass.
 StoredModel measure(const Candidate& candidate, const AddObjectsChoice& choice) {
-  const std::string units = choice.psb                         ? "m"
-                            : !choice.units.empty()            ? choice.units
-                            : is_open_inventor(candidate.mesh) ? "mm"
-                                                               : "m";
+  const std::string by_kind = choice.psb || is_open_inventor(candidate.mesh) ? "mm" : "m";
+  const std::string units = choice.units.empty() ? by_kind : choice.units;
   ObjectReadOptions options;
   options.units = units;
   const ObjectModel object = load_sound_object(candidate.mesh, options);
@@ -105,10 +118,13 @@ StoredModel measure(const Candidate& candidate, const AddObjectsChoice& choice) 
 
 }  // namespace
 
-AddObjectsReport add_objects(const AddObjectsChoice& choice, GraspStore& store, const StopFlag& stop) {
+AddObjectsReport add_objects(const AddObjectsChoice& choice, const StopFlag& stop) {
   AddObjectsReport report;
+  require_sound(choice);
   const auto candidates =
       choice.psb ? psb_candidates(choice.folder, report) : folder_candidates(choice.folder);
+  const auto store = open_store(choice.store);
+  report.place = store->place();
   if (!choice.thumbnails.empty()) require_writable_folder(choice.thumbnails);
   ProgressBar bar;
   constexpr std::size_t at_once = 64;  // stored in order, while the next ones are read
@@ -129,7 +145,7 @@ AddObjectsReport add_objects(const AddObjectsChoice& choice, GraspStore& store, 
       if (!models[i]) {
         report.bad.push_back(sentences[i]);
       } else {
-        ++(store.add_model(*models[i]) ? report.added : report.there);
+        ++(store->add_model(*models[i]) ? report.added : report.there);
       }
     }
     bar.show(static_cast<double>(begin + n) / static_cast<double>(candidates.size()),

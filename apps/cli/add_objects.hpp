@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "eigengrasp/core/parallel.hpp"
-#include "eigengrasp/database/grasp_store.hpp"
 
 namespace eigengrasp::cli {
 
@@ -23,14 +22,16 @@ struct AddObjectsChoice {
 };
 
 struct AddObjectsReport {
+  std::string place;  ///< of the store
   std::size_t added = 0, there = 0;
   std::vector<std::string> bad;     ///< sentences about meshes that were left out
   std::vector<std::string> absent;  ///< names of classified models without a mesh
   bool stopped = false;
 };
 
-/// Adds a folder's meshes to a store: reads, measures and rescales them. A bad mesh is left out.
-/// @throws Error where the folder has no mesh, or the store refuses a model
-AddObjectsReport add_objects(const AddObjectsChoice& choice, GraspStore& store, const StopFlag& stop);
+/// Adds a folder's meshes to a store, which is opened (or made) once the choice is known to be sound: reads,
+/// measures and rescales them. A bad mesh is left out.
+/// @throws Error where the choice is wrong, the folder has no mesh, or the store refuses a model
+AddObjectsReport add_objects(const AddObjectsChoice& choice, const StopFlag& stop);
 
 }  // namespace eigengrasp::cli

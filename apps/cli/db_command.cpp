@@ -94,15 +94,12 @@ void copy(const std::string& from, const std::string& to) {
 }
 
 int run_add_objects(const AddObjectsChoice& choice) {
-  if (choice.psb && !choice.units.empty())
-    fail("--units is '{}' beside --psb, whose meshes have no units; leave one of them out", choice.units);
-  const auto store = open_store(choice.store);
   const InterruptGuard guard;
-  const AddObjectsReport r = add_objects(choice, *store, guard.stop_flag());
+  const AddObjectsReport r = add_objects(choice, guard.stop_flag());
   for (const std::string& sentence : r.bad) warn(sentence + "; left out");
   if (!r.absent.empty()) warn(fmt::format("classified, but without a mesh: {}", fmt::join(r.absent, ", ")));
-  fmt::print("{}: {} objects are new, {} were there, {} were left out, {} have no mesh\n", store->place(),
-             r.added, r.there, r.bad.size(), r.absent.size());
+  fmt::print("{}: {} objects are new, {} were there, {} were left out, {} have no mesh\n", r.place, r.added,
+             r.there, r.bad.size(), r.absent.size());
   if (r.stopped) fmt::print(stderr, "eigengrasp: stopped; the same command goes on\n");
   return r.stopped ? nothing_found : success;
 }

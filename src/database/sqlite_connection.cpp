@@ -173,8 +173,8 @@ class SqliteConnection : public SqlConnection {
     if (reading && !fs::exists(file_, ec)) fail("sqlite:{}: there is no such file", file_);
     const bool frozen = reading && is_frozen(file_);
     const std::string name = frozen ? frozen_uri(file_) : file_;
-    // A reader opens for writing as well, so that it can take away the log's files when it is the last; that it
-    // writes nothing else is seen to by query_only.
+    // A reader opens for writing as well, so that it can take away the log's files when it is the last; that
+    // it writes nothing else is seen to by query_only.
     const int flags = frozen    ? SQLITE_OPEN_READONLY | SQLITE_OPEN_URI
                       : reading ? SQLITE_OPEN_READWRITE
                                 : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
