@@ -159,7 +159,7 @@ RETURNS TABLE (model_name TEXT, thumbnail_path TEXT, geometry_path TEXT, scale D
   WHERE s.scaled_model_name = $1 AND f.distance_function_name = $2
   ORDER BY n.neighbor_distance, n.neighbor_id LIMIT $3 $$;
 
--- Row by row, from the first model's frame to the second's, translation in mm; a model may be named at a scale.
+-- Row by row, from the first model's frame to the second's, translation in mm.
 CREATE FUNCTION get_alignment(TEXT, TEXT, TEXT) RETURNS DOUBLE PRECISION[] LANGUAGE sql STABLE AS $$
   SELECT ARRAY(SELECT CASE WHEN i IN (4, 8, 12) THEN 1000 * m ELSE m END
                FROM unnest(a.alignment_matrix) WITH ORDINALITY AS e(m, i) ORDER BY i)
