@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: The eigengrasp authors
 # eigengrasp_test(NAME LABEL label SOURCES file... LIBS target... [TIMEOUT seconds])
-# A GoogleTest program, one ctest a program, labelled unit, property, golden, slow, e2e or lint. The tests find shipped data through
+# A GoogleTest program, one ctest a program, labelled unit, property, golden, slow, store, e2e or lint. The tests find shipped data through
 # EIGENGRASP_SOURCE_DIR and data that is not ours through the environment variable EIGENGRASP_DATA.
 function(eigengrasp_test name)
   cmake_parse_arguments(arg "" "LABEL;TIMEOUT" "SOURCES;LIBS" ${ARGN})

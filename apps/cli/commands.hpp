@@ -24,5 +24,6 @@ void add_bench_command(CLI::App& app, int& exit_code);
 void add_online_bench_command(CLI::App& app, int& exit_code);
 void add_reproduce_command(CLI::App& app, int& exit_code);
 void add_serve_command(CLI::App& app);
+void add_db_command(CLI::App& app, int& exit_code);
 
 }  // namespace eigengrasp::cli

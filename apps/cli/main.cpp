@@ -39,7 +39,8 @@ int main(int argc, char** argv) {
       "  eigengrasp plan glass --hand human\n"
       "  eigengrasp plan part.stl --units mm --hand barrett-rubber --table auto --out grasps\n"
       "  eigengrasp hand list\n"
-      "  eigengrasp render grasps/grasps.json --png best.png");
+      "  eigengrasp render grasps/grasps.json --png best.png\n"
+      "  eigengrasp db add-objects sqlite:grasps.db meshes --units mm");
   int exit_code = eigengrasp::cli::success;
   eigengrasp::cli::add_plan_command(app, exit_code);
   eigengrasp::cli::add_evaluate_command(app);
@@ -51,6 +52,7 @@ int main(int argc, char** argv) {
   eigengrasp::cli::add_online_bench_command(app, exit_code);
   eigengrasp::cli::add_reproduce_command(app, exit_code);
   eigengrasp::cli::add_serve_command(app);
+  eigengrasp::cli::add_db_command(app, exit_code);
   try {
     app.parse(argc, argv);
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exit_code;

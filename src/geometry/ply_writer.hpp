@@ -13,10 +13,12 @@
 
 namespace eigengrasp {
 
-/// Polygons as a binary PLY file in memory.
+/// Polygons as a binary PLY file in memory. Each vertex begins with a byte of 0, because Assimp takes bytes
+/// right behind the head that happen to be those of a line's end for a part of it.
 class PlyWriter {
  public:
   void add_vertex(const Vec3& p) {
+    append(positions_, std::uint8_t{0});
     for (const double x : p) put(static_cast<float>(x));
     ++vertices_;
   }
@@ -32,8 +34,9 @@ class PlyWriter {
   std::string content() const {
     const char* order = std::endian::native == std::endian::little ? "little" : "big";
     return fmt::format(
-               "ply\nformat binary_{}_endian 1.0\nelement vertex {}\nproperty float x\nproperty float y\n"
-               "property float z\nelement face {}\nproperty list ushort int vertex_indices\nend_header\n",
+               "ply\nformat binary_{}_endian 1.0\nelement vertex {}\nproperty uchar guard\nproperty float x\n"
+               "property float y\nproperty float z\nelement face {}\nproperty list ushort int "
+               "vertex_indices\nend_header\n",
                order, vertices_, n_faces_) +
            positions_ + faces_;
   }

@@ -219,6 +219,20 @@ TEST_F(MeshIo, KeepsDetailFarBelowAMillimetre) {
   EXPECT_EQ(read.triangles.size(), 12u);
 }
 
+TEST_F(MeshIo, ReadsAFirstCoordinateWhoseBytesBeginWithALinesEnd) {
+  for (const std::uint32_t bits : {0x3EE5690Au, 0x3EE5690Du, 0x3EE50A0Du, 0x3EE56920u, 0x3EE50D0Au}) {
+    const double x = std::bit_cast<float>(bits);
+    TriangleMesh mesh;
+    mesh.vertices = {{x, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    mesh.triangles = {{0, 1, 2}};
+    const TriangleMesh read = load_mesh(write("end.off", off_text(mesh)));
+    ASSERT_EQ(read.vertices.size(), 3u) << bits;
+    EXPECT_EQ(bounding_box(read).min.x(), 0.0) << bits;
+    EXPECT_NEAR(surface_area(read), surface_area(mesh), 1e-6) << bits;
+    EXPECT_EQ(load_mesh(write("end.obj", obj_text(mesh))).vertices.size(), 3u) << bits;
+  }
+}
+
 TEST_F(MeshIo, IgnoresWhatSurroundsTheFacesOfAnObj) {
   const std::string text =
       "\xef\xbb\xbf# comment\nmtllib none.mtl\n  v 0 0 0 # origin\nv 1 0 0 0.5 0.5 0.5\n\tv 0 1 0 1\n"

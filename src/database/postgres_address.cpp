@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The eigengrasp authors
+#include "database/postgres_address.hpp"
+
+#include "eigengrasp/core/error.hpp"
+
+namespace eigengrasp {
+
+std::string first_line(const std::string& text) {
+  return text.substr(0, text.find('\n'));
+}
+
+std::string without_password(const std::string& url) {
+  std::string out = url.substr(0, url.find('?'));
+  const auto begin = out.find("://");
+  const auto end = out.rfind('@');
+  if (begin == std::string::npos || end == std::string::npos) return out;
+  const auto colon = out.find(':', begin + 3);
+  if (colon < end) out.erase(colon, end - colon);
+  return out;
+}
+
+void complain_of_connection(const std::string& place, const std::string& message) {
+  const auto says = [&](const char* part) { return message.find(part) != std::string::npos; };
+  if (says("password authentication failed") || says("no password supplied"))
+    fail(
+        "{}: the server refused the user's name or password; write postgresql://USER:PASSWORD@HOST/DATABASE, "
+        "or set PGPASSWORD",
+        place);
+  if (says("database \"") && says("does not exist"))
+    fail("{}: the server has no such database; make it with 'createdb NAME'", place);
+  if (says("role \"") && says("does not exist")) fail("{}: the server has no such user", place);
+  if (says("Connection refused") || says("No such file or directory"))
+    fail("{}: no PostgreSQL server answers there; is it running, and are host and port right?", place);
+  fail("{}: {}", place, first_line(message));
+}
+
+}  // namespace eigengrasp
