@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
-// Tests the built web app in Chromium: npm test -- [--program eigengrasp] [--only NAME]
+// Tests the built web app in Chromium: npm test -- [--program eigengrasp] [--only NAME | --main]
+// --main: the scenarios that a change is taken by. A scenario that fails is tried once more, and that is said.
 // Without --program it runs against a server with made-up grasps. Screenshots are kept in output/.
 import path from "node:path";
 import { fileURLToPath } from "node:url";
@@ -16,7 +17,7 @@ import { Stage } from "./support/stage.ts";
 import { free_port, MockTarget, ProgramTarget, type Target } from "./support/target.ts";
 
 const app = path.resolve(path.dirname(fileURLToPath(import.meta.url)), "../../viewer/dist");
-const { values } = parseArgs({ options: { program: { type: "string" }, only: { type: "string" } } });
+const { values } = parseArgs({ options: { program: { type: "string" }, only: { type: "string" }, main: { type: "boolean" } } });
 const secret = "correct-horse";
 
 type Scenario = (stage: Stage) => Promise<void>;
@@ -29,19 +30,22 @@ const scenarios: Record<string, Scenario> = {
   token: (stage) => token(stage, secret),
 };
 
+const main_scenarios = ["load", "plan", "grasp_and_lift", "reload", "server_gone"];
+
 async function make_target(name: string): Promise<Target> {
   const port = await free_port();
   const guarded = name === "token" ? secret : undefined;
   return values.program ? new ProgramTarget(values.program, app, port, guarded) : new MockTarget(app, port, guarded);
 }
 
-let failures = 0;
 const browser = await open_browser();
-for (const [name, scenario] of Object.entries(scenarios)) {
-  if (values.only && values.only !== name) continue;
+
+/** Runs a scenario with a server of its own; true where it passed. */
+async function passes(name: string, scenario: Scenario): Promise<boolean> {
   const began = performance.now();
   const target = await make_target(name);
   let stage: Stage | undefined;
+  let passed = true;
   try {
     await target.start();
     stage = await Stage.open(browser, target, name);
@@ -50,7 +54,7 @@ for (const [name, scenario] of Object.entries(scenarios)) {
     if (complaints.length > 0) throw new Error(`the browser complains:\n${complaints.join("\n")}`);
     console.log(`ok   ${name} (${((performance.now() - began) / 1e3).toFixed(1)} s)`);
   } catch (problem) {
-    failures += 1;
+    passed = false;
     console.log(`FAIL ${name}: ${problem instanceof Error ? problem.message : String(problem)}`);
     await stage?.shot("failed").catch(() => undefined);
     for (const complaint of stage?.complaints.take() ?? []) console.log(`     ${complaint}`);
@@ -58,6 +62,16 @@ for (const [name, scenario] of Object.entries(scenarios)) {
   await stage?.close();
   await target.stop();
   target.dispose();
+  return passed;
+}
+
+let failures = 0;
+for (const [name, scenario] of Object.entries(scenarios)) {
+  if (values.only && values.only !== name) continue;
+  if (values.main && !main_scenarios.includes(name)) continue;
+  if (await passes(name, scenario)) continue;
+  console.log(`     once more: ${name}`);
+  if (!(await passes(name, scenario))) failures += 1;
 }
 await browser.close();
 console.log(failures === 0 ? "all scenarios passed" : `${failures} scenarios failed`);
