@@ -203,7 +203,7 @@ class WebSocketConnection final : public OpenClient,
 
 }  // namespace
 
-void begin_websocket(NetworkContext& context, beast::tcp_stream stream, UpgradeRequest request,
+void begin_websocket(NetworkContext& context, beast::tcp_stream stream, const UpgradeRequest& request,
                      std::vector<std::shared_ptr<void>> tickets) {
   std::make_shared<WebSocketConnection>(context, std::move(stream), std::move(tickets))->begin(request);
 }

@@ -14,7 +14,7 @@ using UpgradeRequest = boost::beast::http::request<boost::beast::http::string_bo
 
 /// Takes a connection over that asked for a WebSocket. It lives until either side closes.
 /// @param tickets kept as long
-void begin_websocket(NetworkContext& context, boost::beast::tcp_stream stream, UpgradeRequest request,
+void begin_websocket(NetworkContext& context, boost::beast::tcp_stream stream, const UpgradeRequest& request,
                      std::vector<std::shared_ptr<void>> tickets);
 
 }  // namespace eigengrasp::server

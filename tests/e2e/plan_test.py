@@ -160,6 +160,7 @@ class Plan(EndToEnd):
         self.assertEqual(piped.stderr, '')
         self.assertNotIn('\x1b', piped.stdout)
         self.assertNotIn('\r', piped.stdout)
+        command[command.index('30000')] = '1000000'  # long enough for a bar
         control, terminal = pty.openpty()
         self.addCleanup(os.close, control)
         with subprocess.Popen([str(support.PROGRAM), *command], cwd=self.folder, stdout=subprocess.PIPE,

@@ -73,8 +73,8 @@ struct OnlineStart {
   struct Options {
     std::uint64_t seed = 1;
     int amplitudes = 2;
-    double cone_half_angle = 0.5235987755982988;
-    double look_ahead = 0.2;
+    double cone_half_angle = 0.7853981633974483;
+    double look_ahead = 0.4;
     double step_back = 0.03;
     double epsilon_min = 1e-3;
     double preshape_begins = 0.1;

@@ -40,8 +40,8 @@ function row(
 /** What can be wished for of a hand: the approach, the amplitudes that are searched, the degrees of freedom. */
 export function wish_rows(hand: Hand, options: OnlineOptions): WishRow[] {
   const back = options.step_back ?? 0.03;
-  const ahead = options.look_ahead ?? 0.2;
-  const cone = options.cone_half_angle ?? 30 * degree;
+  const ahead = options.look_ahead ?? 0.4;
+  const cone = options.cone_half_angle ?? 45 * degree;
   const searched = hand.amplitudes.slice(0, options.amplitudes ?? 2);
   return [
     row("distance", "Distance [mm]", [-back * 1e3, ahead * 1e3], 1e-3),

@@ -6,7 +6,7 @@ import { field, number_input } from "../ui/parts";
 import type { OnlineOptions } from "../wire/messages";
 
 const degree = Math.PI / 180;
-const defaults = { cone: 30, ahead: 200, epsilon: 0.001, amplitudes: 2, seed: 1 };
+const defaults = { cone: 45, ahead: 400, epsilon: 0.001, amplitudes: 2, seed: 1 };
 type Shown = typeof defaults & { friction?: number };
 
 /** The options of the online planner, as a fold of fields; a change begins a new session. */
