@@ -59,6 +59,7 @@ struct UnitKey {
   double scale = 1.0;
   std::string hand;
 
+  // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 takes the 0 in what this makes for a pointer
   auto operator<=>(const UnitKey&) const = default;
 };
 
