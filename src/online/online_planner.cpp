@@ -29,7 +29,7 @@ OnlinePlanner::OnlinePlanner(Scene scene, const OnlineOptions& options,
                              std::shared_ptr<PreparationCache> cache)
     : OnlinePlanner(prepare((sound(options, *scene.hand), std::move(scene)), std::move(cache)), options) {}
 
-OnlinePlanner::OnlinePlanner(std::shared_ptr<const CollisionModel> model, const OnlineOptions& options)
+OnlinePlanner::OnlinePlanner(const std::shared_ptr<const CollisionModel>& model, const OnlineOptions& options)
     : work_(std::make_unique<Work>(model, sound(options, *model->scene().hand))) {}
 
 OnlinePlanner::~OnlinePlanner() = default;

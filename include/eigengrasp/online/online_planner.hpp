@@ -42,7 +42,7 @@ class OnlinePlanner {
   /// @throws Error where the options are not sound.
   OnlinePlanner(Scene scene, const OnlineOptions& options, std::shared_ptr<PreparationCache> cache = {});
   /// The same for a scene that was prepared before. @pre the model was prepared with Options::fast
-  OnlinePlanner(std::shared_ptr<const CollisionModel> model, const OnlineOptions& options);
+  OnlinePlanner(const std::shared_ptr<const CollisionModel>& model, const OnlineOptions& options);
   /// Stops the threads.
   ~OnlinePlanner();
 
