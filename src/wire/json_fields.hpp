@@ -62,7 +62,8 @@ struct IsOptional<std::optional<T>> : std::true_type {};
 template <typename T>
 void read_value(const nlohmann::json& json, T& value) {
   if constexpr (IsOptional<T>::value) {
-    read_value(json, value.emplace());
+    value = typename T::value_type{};  // clang 14 finds no emplace() for structures inside of structures
+    read_value(json, *value);
   } else if constexpr (std::is_enum_v<T>) {
     value = value_of<T>(json.get_ref<const std::string&>());
   } else if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, std::string>) {
