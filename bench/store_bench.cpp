@@ -7,9 +7,9 @@
 #include <benchmark/benchmark.h>
 
 #include <cstdlib>
-#include <filesystem>
 #include <map>
 
+#include "eigengrasp/core/temporary_folder.hpp"
 #include "eigengrasp/database/grasp_store.hpp"
 #include "support/postgres_server.hpp"
 #include "support/random_grasps.hpp"
@@ -34,20 +34,13 @@ std::size_t wanted_grasps() {
 class BenchStore {
  public:
   explicit BenchStore(const std::string& kind) {
-    std::string name = (std::filesystem::temp_directory_path() / "eigengrasp-bench-XXXXXX").string();
-    if (!::mkdtemp(name.data())) throw std::runtime_error("no scratch folder");
-    folder_ = name;
+    const std::string name = folder_.path().string();
     store_ = open_store(kind == "sqlite" ? "sqlite:" + name + "/g.db"
                         : kind == "text" ? "text:" + name + "/g"
                                          : PostgresServer::instance()->make_database());
     for (const std::string& hand : kHands) store_->add_hand(stored_hand(hand));
     store_->add_source({"planner", ""});
     grasps_ = RandomGrasps(1).grasps({"", 1.0, kHands[0]}, stored_hand(kHands[0]), 500);
-  }
-  ~BenchStore() {
-    store_.reset();
-    std::error_code ec;
-    std::filesystem::remove_all(folder_, ec);
   }
 
   GraspStore& store() { return *store_; }
@@ -81,7 +74,7 @@ class BenchStore {
   }
 
  private:
-  std::filesystem::path folder_;
+  TemporaryFolder folder_{"bench"};  ///< before the store in it
   std::unique_ptr<GraspStore> store_;
   std::vector<StoredGrasp> grasps_;
   std::size_t units_ = 0;

@@ -24,7 +24,6 @@ struct Totals {
   std::vector<double> first_grasp, updates, postures, candidates;
   int approaches = 0;
   int form_closed = 0;
-  int clicked = 0;
   std::vector<double> seconds;
 };
 
@@ -37,7 +36,6 @@ Totals totals_of(const OnlineReport& report) {
     t.candidates.push_back(s.candidates_per_second);
     for (const OnlineApproach& a : s.approaches) {
       ++t.approaches;
-      t.clicked += a.clicked;
       t.form_closed += a.form_closed;
       t.seconds.push_back(a.seconds);
     }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "eigengrasp/experiments/online_trial.hpp"
+#include "eigengrasp/grasp/named_joints.hpp"
 #include "eigengrasp/render/picture_grid.hpp"
 #include "experiments/tile_painter.hpp"
 

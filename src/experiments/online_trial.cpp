@@ -7,6 +7,7 @@
 #include <limits>
 #include <thread>
 
+#include "eigengrasp/core/stop_watch.hpp"
 #include "eigengrasp/kinematics/forward_kinematics.hpp"
 
 namespace eigengrasp {
@@ -18,10 +19,6 @@ using Clock = std::chrono::steady_clock;
 constexpr double step = 0.01;  // [s] of the operator, and of real time
 constexpr auto poll = std::chrono::milliseconds(1);
 constexpr double early_way = 0.5;  // of the way to the pre-grasp: a moment of Fig. 8
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 class OnlineTrial {
  public:
@@ -41,9 +38,9 @@ class OnlineTrial {
   bool stopped() const { return options_.stop && options_.stop->stop_requested(); }
 
   OnlineView timed_update(OnlinePlanner& planner) {
-    const auto start = Clock::now();
+    const StopWatch watch;
     OnlineView view = planner.update();
-    trial_.updates.push_back(seconds_since(start));
+    trial_.updates.push_back(watch.seconds());
     return view;
   }
 
@@ -58,8 +55,8 @@ class OnlineTrial {
       (void)planner.command(OperatorCommand::forget);
       (void)planner.set_wrist({time += 10.0, person.wrist()});
       double first = std::numeric_limits<double>::infinity();
-      const auto start = Clock::now();
-      while (seconds_since(start) < options_.time_limit && !stopped()) {
+      const StopWatch watch;
+      while (watch.seconds() < options_.time_limit && !stopped()) {
         std::this_thread::sleep_for(poll);
         view = planner.update();
         if (view.rates.time_to_first_grasp == 0.0) continue;

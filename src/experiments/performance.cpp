@@ -2,13 +2,12 @@
 // SPDX-FileCopyrightText: The eigengrasp authors
 #include "eigengrasp/experiments/performance.hpp"
 
-#include <chrono>
-#include <cstdlib>
-#include <filesystem>
 #include <functional>
 
 #include "eigengrasp/core/error.hpp"
 #include "eigengrasp/core/random.hpp"
+#include "eigengrasp/core/stop_watch.hpp"
+#include "eigengrasp/core/temporary_folder.hpp"
 #include "eigengrasp/experiments/statistics.hpp"
 #include "eigengrasp/grasp/contact_finder.hpp"
 #include "eigengrasp/planning/finger_closing.hpp"
@@ -17,16 +16,6 @@
 namespace eigengrasp {
 
 namespace {
-
-class StopWatch {
- public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 double time_of(const std::function<void()>& work) {
   const StopWatch watch;
@@ -42,29 +31,10 @@ void repeat(double seconds, const StopFlag* stop, const std::function<void()>& w
   } while (watch.seconds() < seconds && !(stop && stop->stop_requested()));
 }
 
-/// A folder that goes away with it.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "eigengrasp-bench-XXXXXX").string();
-    if (!::mkdtemp(name.data())) fail("{}: no temporary folder can be made", name);
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  /// A new cache that knows only what is on disk.
-  std::shared_ptr<PreparationCache> cache() const {
-    return std::make_shared<PreparationCache>(PreparationCacheOptions{.folder = path_});
-  }
-
- private:
-  std::filesystem::path path_;
-};
+/// A new cache that knows only what is on disk.
+std::shared_ptr<PreparationCache> cache_in(const TemporaryFolder& folder) {
+  return std::make_shared<PreparationCache>(PreparationCacheOptions{.folder = folder.path()});
+}
 
 PlanOptions plan_options(const PerformanceOptions& options, int threads, std::uint64_t seed) {
   PlanOptions plan;
@@ -117,13 +87,14 @@ ThreadedPerformance measure_runs(const Scene& scene, const PerformanceOptions& o
                                  const TemporaryFolder& folder, ScenePerformance& out, PlanResult& first) {
   RunBench bench(scene, options, threads);
   first = bench.run(nullptr);
-  bench.run(folder.cache());  // fills the folder
+  bench.run(cache_in(folder));  // fills the folder
   std::vector<double> cached;
-  repeat(options.seconds, options.stop, [&] { cached.push_back(bench.run(folder.cache()).timings.prepare); });
+  repeat(options.seconds, options.stop,
+         [&] { cached.push_back(bench.run(cache_in(folder)).timings.prepare); });
   if (threads == 1) {
     out.runs = bench.runs();
     RunBench judged(scene, options, 1, true);
-    const auto cache = folder.cache();
+    const auto cache = cache_in(folder);
     repeat(options.seconds, options.stop, [&] { judged.run(cache); });
     out.legal_share = judged.legal_share();
     out.judged_per_second = judged.median_rate();
@@ -224,7 +195,7 @@ ScenePerformance measure_performance(const Scene& scene, const PerformanceOption
   out.hand = scene.hand->name;
   out.object = scene.object->name;
   const int all = options.threads > 0 ? options.threads : hardware_threads();
-  const TemporaryFolder folder;
+  const TemporaryFolder folder("bench");
   PlanResult first;
   out.by_threads.push_back(measure_runs(scene, options, 1, folder, out, first));
   if (all > 1) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "eigengrasp/experiments/table2_report.hpp"
+#include "eigengrasp/grasp/named_joints.hpp"
 #include "eigengrasp/kinematics/forward_kinematics.hpp"
 #include "eigengrasp/render/picture_grid.hpp"
 #include "eigengrasp/render/pictures.hpp"

@@ -21,9 +21,9 @@ TilePainter::TilePainter(Scene scene, int threads) : scene_(std::move(scene)), h
   options_.threads = threads;
 }
 
-RenderScene TilePainter::add(const VecX& joints, const Pose& X_OH, float alpha) const {
+RenderScene TilePainter::add(const VecX& joints, const Pose& X_OH) const {
   RenderScene scene;
-  hand_.add_to(scene, joints, X_OH, palette_, alpha);
+  hand_.add_to(scene, joints, X_OH, palette_);
   scene.add(object_, Pose::Identity(), palette_.object).interest = 2.0;
   return scene;
 }

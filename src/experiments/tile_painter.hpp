@@ -14,8 +14,8 @@ class TilePainter {
  public:
   TilePainter(Scene scene, int threads);
 
-  /// @param alpha below 1: a translucent hand
-  RenderScene add(const VecX& joints, const Pose& X_OH, float alpha = 1.0F) const;
+  RenderScene add(const VecX& joints, const Pose& X_OH) const;
+  /// A translucent hand.
   void add_ghost(RenderScene& scene, const VecX& joints, const Pose& X_OH) const;
   void add_contacts(RenderScene& scene, const Grasp& grasp) const;
   static std::vector<Vec3> contact_points(const Grasp& grasp);

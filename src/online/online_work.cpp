@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "eigengrasp/core/stop_watch.hpp"
 #include "planning/pregrasp_search.hpp"
-#include "planning/stop_watch.hpp"
 
 namespace eigengrasp {
 
@@ -48,10 +48,6 @@ OnlinePlanner::Work::~Work() {
   }
   wake_search_.notify_all();
   wake_tests_.notify_all();
-}
-
-double OnlinePlanner::Work::seconds() const {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
 }
 
 WristTrack::Taken OnlinePlanner::Work::set_wrist(const WristSample& sample) {

@@ -11,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "eigengrasp/core/stop_watch.hpp"
 #include "eigengrasp/online/online_planner.hpp"
 #include "online/approach_search.hpp"
 #include "online/candidate_queue.hpp"
@@ -64,12 +65,12 @@ class OnlinePlanner::Work {
   OnlineView view(double now) const;
   std::optional<double> epsilon_now() const;
   std::string message() const;
-  double seconds() const;
+  double seconds() const { return since_began_.seconds(); }
 
   std::shared_ptr<const CollisionModel> model_;
   OnlineOptions options_;
   GraspEnergy energy_;
-  std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
+  StopWatch since_began_;
 
   mutable std::mutex mutex_;
   std::condition_variable wake_search_;

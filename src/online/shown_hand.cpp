@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "eigengrasp/grasp/named_joints.hpp"
 #include "eigengrasp/kinematics/forward_kinematics.hpp"
 
 namespace eigengrasp {
@@ -18,10 +19,13 @@ constexpr double full_preshape = 0.02;     // [m] the posture is reached that mu
 constexpr int halvings = 3;                // of a way that is not free as a whole
 constexpr double start_step = 0.01;        // [m] by which a hand that starts in collision is drawn back
 constexpr int most_start_steps = 40;
+constexpr double draw_back_step = 0.005;  // [m] by which fingers that do not pass beside the object are drawn
+constexpr int most_draw_back_steps = 20;
 
-Pose between(const Pose& a, const Pose& b, double share) {
-  const Eigen::Quaterniond q = orientation(a).slerp(share, orientation(b));
-  return make_pose(q, (1.0 - share) * a.translation() + share * b.translation());
+/// How far a wrist has to go to another [m], turns counted as way.
+double way_between(const Pose& X_OA, const Pose& X_OB) {
+  return (X_OA.translation() - X_OB.translation()).norm() +
+         turn_as_distance * angle_between(X_OA.linear(), X_OB.linear());
 }
 
 }  // namespace
@@ -45,11 +49,10 @@ bool ShownHand::is_free(const Pose& X_OH, const VecX& dofs) {
 /// The wrist as held, but for what is tremor or the tracker's noise: that is averaged, the more the less the
 /// hand moves.
 Pose ShownHand::steady(const Pose& X_OW, double seconds) const {
-  const double way = (X_OW.translation() - steady_.translation()).norm() +
-                     turn_as_distance * angle_between(X_OW.linear(), steady_.linear());
+  const double way = way_between(X_OW, steady_);
   if (way >= still) return X_OW;
   const double lag = settling * (1.0 - way / still);
-  return between(steady_, X_OW, seconds / (seconds + lag));
+  return interpolate(steady_, X_OW, seconds / (seconds + lag));
 }
 
 /// Draws a hand that begins inside something back until it is free.
@@ -76,25 +79,36 @@ void ShownHand::go_as_far_as_free(const Pose& X_OW) {
   const Pose from = X_OH_;
   double share = 0.5;
   for (double half = 0.25; half > 1.0 / (1 << (halvings + 1)); half *= 0.5) {
-    const Pose X_OH = between(from, X_OW, share);
+    const Pose X_OH = interpolate(from, X_OW, share);
     const bool free = is_free(X_OH, dofs_);
     if (free) X_OH_ = X_OH;
     share += free ? half : -half;
   }
 }
 
-void ShownHand::follow(const Pose& X_OW_held, const Grasp* offered, double seconds) {
-  const Pose X_OW = steady_ = placed_ ? steady(X_OW_held, seconds) : X_OW_held;
-  joints_.resize(0);
-  double wanted = 0.0;
-  if (offered) {
-    const Pose& X_OP = offered->X_OH_pregrasp;
-    const double way = (X_OP.translation() - X_OW.translation()).norm() +
-                       turn_as_distance * angle_between(X_OP.linear(), X_OW.linear());
-    const double span = std::max(options_.preshape_begins - full_preshape, 1e-6);
-    wanted = std::clamp((options_.preshape_begins - way) / span, 0.0, 1.0);
+/// Draws the hand back from the wrist until the fingers are free on their way into the pre-grasp posture.
+bool ShownHand::draw_back(const Pose& X_OW, const VecX& moved) {
+  for (int i = 1; i <= most_draw_back_steps; ++i) {
+    const Vec3 back = -i * draw_back_step * model_.scene().hand->approach_direction_H;
+    const Pose X_OH = X_OW * Eigen::Translation3d(back);
+    if (!is_free(X_OH, moved)) continue;
+    X_OH_ = X_OH;
+    dofs_ = moved;
+    return true;
   }
-  preshape_ = wanted;
+  return false;
+}
+
+void ShownHand::follow(const Pose& X_OW_held, const Grasp* offered, double seconds) {
+  Pose X_OW = steady_ = placed_ ? steady(X_OW_held, seconds) : X_OW_held;
+  joints_.resize(0);
+  preshape_ = 0.0;
+  if (offered) {
+    const double way = way_between(X_OW, offered->X_OH_pregrasp);
+    const double span = std::max(options_.preshape_begins - full_preshape, 1e-6);
+    preshape_ = std::clamp((options_.preshape_begins - way) / span, 0.0, 1.0);
+    if (way < still) X_OW = offered->X_OH_pregrasp;
+  }
   if (!placed_) {
     placed_ = find_free_start(X_OW);
     if (!placed_) {
@@ -102,20 +116,27 @@ void ShownHand::follow(const Pose& X_OW_held, const Grasp* offered, double secon
       return;
     }
   }
-  const VecX goal = offered ? VecX(open_ + wanted * (offered->pregrasp_dofs - open_)) : open_;
-  const VecX moved = towards(goal, seconds);
+  const VecX goal = offered ? VecX(open_ + preshape_ * (offered->pregrasp_dofs - open_)) : open_;
+  move(X_OW, towards(goal, seconds), towards(open_, seconds));
+}
+
+void ShownHand::move(const Pose& X_OW, const VecX& moved, const VecX& opened) {
   blocked_ = false;
   // Wrist and fingers; the wrist alone; the wrist with open fingers; as far as the fingers let it, then them.
+  // At the pre-grasp its posture comes first: the fingers pass beside what is in their way with the hand drawn back.
   if (is_free(X_OW, moved)) {
     X_OH_ = X_OW;
     dofs_ = moved;
+    return;
+  }
+  if (preshape_ == 1.0 && draw_back(X_OW, moved)) {
+    blocked_ = true;
     return;
   }
   if (is_free(X_OW, dofs_)) {
     X_OH_ = X_OW;
     return;
   }
-  const VecX opened = towards(open_, seconds);
   if (is_free(X_OW, opened)) {
     X_OH_ = X_OW;
     dofs_ = opened;
@@ -131,8 +152,7 @@ void ShownHand::hold(const Grasp& grasp) {
   const HandModel& hand = *model_.scene().hand;
   X_OH_ = grasp.X_OH;
   dofs_ = grasp.grasp_dofs;
-  joints_ = joint_values(hand, dofs_);
-  for (const auto& [name, value] : grasp.grasp_joints) joints_[hand.find_joint(name)] = value;
+  joints_ = joints_by_name(hand, grasp.grasp_joints);
   compute_link_poses(hand, joints_, X_OH_, X_OL_);
 }
 

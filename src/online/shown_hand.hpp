@@ -16,7 +16,8 @@ class ShownHand {
  public:
   ShownHand(const CollisionModel& model, const OnlineOptions& options);
 
-  /// @param X_OW_held wrist as the operator holds it; tremor below 2.5 mm is averaged away
+  /// @param X_OW_held wrist as the operator holds it; tremor below 2.5 mm is averaged away, and a wrist that
+  ///        near to the offered pre-grasp is shown at it
   /// @param offered pre-grasp to take the posture of; null: open
   /// @param seconds since the last call: the fingers move no faster than they can. Cost: 0.1-1 ms
   void follow(const Pose& X_OW_held, const Grasp* offered, double seconds);
@@ -37,6 +38,8 @@ class ShownHand {
   bool find_free_start(const Pose& X_OW);
   VecX towards(const VecX& wanted, double seconds) const;
   void go_as_far_as_free(const Pose& X_OW);
+  bool draw_back(const Pose& X_OW, const VecX& moved);
+  void move(const Pose& X_OW, const VecX& moved, const VecX& opened);
 
   const CollisionModel& model_;
   const OnlineOptions& options_;

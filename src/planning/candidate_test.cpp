@@ -3,6 +3,7 @@
 #include "planning/candidate_test.hpp"
 
 #include "eigengrasp/grasp/contact_finder.hpp"
+#include "eigengrasp/grasp/named_joints.hpp"
 #include "eigengrasp/kinematics/forward_kinematics.hpp"
 #include "eigengrasp/planning/finger_closing.hpp"
 
@@ -11,15 +12,6 @@ namespace eigengrasp {
 namespace {
 
 constexpr double deepest_allowed = 0.0005;  // [m]
-
-NamedValues named_joints(const HandModel& hand, const VecX& joints) {
-  NamedValues named;
-  for (int j = 0; j < hand.n_joints(); ++j) {
-    const HandJoint& joint = hand.joints[static_cast<std::size_t>(j)];
-    if (joint.type != JointType::fixed) named.emplace_back(joint.name, joints[j]);
-  }
-  return named;
-}
 
 std::vector<ContactPoint> points_of(const std::vector<GraspContact>& contacts) {
   std::vector<ContactPoint> points;

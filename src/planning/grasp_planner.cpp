@@ -5,10 +5,10 @@
 #include <algorithm>
 
 #include "eigengrasp/core/error.hpp"
+#include "eigengrasp/core/stop_watch.hpp"
 #include "eigengrasp/core/version.hpp"
 #include "planning/plan_summary.hpp"
 #include "planning/pregrasp_search.hpp"
-#include "planning/stop_watch.hpp"
 
 namespace eigengrasp {
 

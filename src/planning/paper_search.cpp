@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
+#include "eigengrasp/core/stop_watch.hpp"
 #include "planning/pregrasp_search.hpp"
-#include "planning/stop_watch.hpp"
 
 namespace eigengrasp {
 

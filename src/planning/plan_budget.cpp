@@ -4,10 +4,6 @@
 
 namespace eigengrasp {
 
-double PlanBudget::elapsed() const {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-}
-
 bool PlanBudget::anneal(Annealer& annealer, std::int64_t states, int worker) {
   const std::int64_t first = annealer.iterations();
   std::int64_t done = 0;

@@ -3,11 +3,11 @@
 #pragma once
 
 #include <atomic>
-#include <chrono>
 #include <cstdint>
 #include <limits>
 #include <mutex>
 
+#include "eigengrasp/core/stop_watch.hpp"
 #include "eigengrasp/planning/annealer.hpp"
 #include "eigengrasp/planning/grasp_planner.hpp"
 
@@ -34,10 +34,10 @@ class PlanBudget {
 
   bool go_on(int worker, std::int64_t newly_done, const Annealer& annealer);
   void tell_of_milestone(std::int64_t done, const Annealer& annealer);
-  double elapsed() const;
+  double elapsed() const { return watch_.seconds(); }
 
   const PlanOptions& options_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  StopWatch watch_;
   std::atomic<std::int64_t> done_{0};
   std::atomic<bool> ended_{false};
   double next_report_ = 0.1;  ///< [s]; used by worker 0 alone

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "core/lanes.hpp"
+#include "eigengrasp/core/stop_watch.hpp"
 #include "planning/harvest.hpp"
 #include "planning/pregrasp_search.hpp"
-#include "planning/stop_watch.hpp"
 
 namespace eigengrasp {
 

@@ -55,16 +55,6 @@ void DrawnHand::add_to(RenderScene& scene, const VecX& joints, const Pose& X_WH,
   }
 }
 
-VecX joints_by_name(const HandModel& hand, const NamedValues& values) {
-  VecX joints = joint_values(hand, hand.rest_posture());
-  for (const auto& [name, value] : values) {
-    const int j = hand.find_joint(name);
-    if (j < 0) fail("the hand \"{}\" has no joint \"{}\"", hand.name, name);
-    joints[j] = value;
-  }
-  return joints;
-}
-
 Vec3 finger_direction(const HandModel& hand) {
   std::vector<Pose> X_HL;
   compute_link_poses(hand, joint_values(hand, hand.rest_posture()), Pose::Identity(), X_HL);

@@ -6,6 +6,7 @@
 
 #include "eigengrasp/core/error.hpp"
 #include "eigengrasp/core/parallel.hpp"
+#include "eigengrasp/grasp/named_joints.hpp"
 #include "tiles.hpp"
 
 namespace eigengrasp {

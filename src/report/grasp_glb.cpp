@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
 #include "eigengrasp/report/grasp_glb.hpp"
+#include "eigengrasp/grasp/named_joints.hpp"
 
 #include <numbers>
 #include <stdexcept>
@@ -40,23 +41,13 @@ TriangleMesh ball(double radius) {
   return mesh;
 }
 
-VecX joints_of(const HandModel& hand, const NamedValues& values) {
-  VecX joints = joint_values(hand, hand.rest_posture());
-  for (const auto& [name, value] : values) {
-    const int j = hand.find_joint(name);
-    if (j < 0) fail("the hand \"{}\" has no joint \"{}\"", hand.name, name);
-    joints[j] = value;
-  }
-  return joints;
-}
-
 }  // namespace
 
 std::string grasp_glb(const Scene& scene, const Grasp& grasp, GraspPhase phase) {
   if (!scene.hand || !scene.object) throw std::logic_error("grasp_glb: a scene without hand or object");
   const bool closed = phase == GraspPhase::grasp;
   const HandModel& hand = *scene.hand;
-  const VecX joints = joints_of(hand, closed ? grasp.grasp_joints : grasp.pregrasp_joints);
+  const VecX joints = joints_by_name(hand, closed ? grasp.grasp_joints : grasp.pregrasp_joints);
   std::vector<Pose> X_OL;
   compute_link_poses(hand, joints, closed ? grasp.X_OH : grasp.X_OH_pregrasp, X_OL);
   GlbScene glb;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
 #include "eigengrasp/wire/message_makers.hpp"
+#include "eigengrasp/grasp/named_joints.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -42,21 +43,6 @@ double not_negative(double x) {
 std::string wire_name(const std::string& name) {
   if (name.empty()) return "unnamed";
   return name.substr(0, 64);
-}
-
-VecX joints_of(const HandModel& hand, const NamedValues& values) {
-  VecX joints = joint_values(hand, hand.rest_posture());
-  for (const auto& [name, value] : values) {
-    const int j = hand.find_joint(name);
-    if (j < 0) fail("the hand \"{}\" has no joint \"{}\"", hand.name, name);
-    joints[j] = value;
-  }
-  return joints;
-}
-
-Pose between(const Pose& a, const Pose& b, double share) {
-  return make_pose(orientation(a).slerp(share, orientation(b)),
-                   (1.0 - share) * a.translation() + share * b.translation());
 }
 
 Contact contact_message(const GraspContact& contact) {
@@ -110,20 +96,20 @@ GraspShape grasp_shape(const HandModel& hand, const Grasp& grasp, int frames) {
   shape.volume = not_negative(grasp.volume);
   shape.energy = bounded(grasp.energy);
   shape.max_penetration = std::clamp(bounded(grasp.max_penetration), -kFarthest, kFarthest);
-  const VecX open = joints_of(hand, grasp.pregrasp_joints);
-  const VecX closed = joints_of(hand, grasp.grasp_joints);
+  const VecX open = joints_by_name(hand, grasp.pregrasp_joints);
+  const VecX closed = joints_by_name(hand, grasp.grasp_joints);
   for (int i = 0; i < frames; ++i) {
     const double share = static_cast<double>(i) / (frames - 1);
     shape.closing.push_back(link_poses(hand, (1.0 - share) * open + share * closed,
-                                       between(grasp.X_OH_pregrasp, grasp.X_OH, share)));
+                                       interpolate(grasp.X_OH_pregrasp, grasp.X_OH, share)));
   }
   for (const GraspContact& contact : grasp.contacts) shape.contacts.push_back(contact_message(contact));
   return shape;
 }
 
 View::Offer offer_shape(const HandModel& hand, std::uint64_t id, const Grasp& grasp) {
-  return {id, link_poses(hand, joints_of(hand, grasp.pregrasp_joints), grasp.X_OH_pregrasp),
-          link_poses(hand, joints_of(hand, grasp.grasp_joints), grasp.X_OH)};
+  return {id, link_poses(hand, joints_by_name(hand, grasp.pregrasp_joints), grasp.X_OH_pregrasp),
+          link_poses(hand, joints_by_name(hand, grasp.grasp_joints), grasp.X_OH)};
 }
 
 View view_message(const HandModel& hand, const OnlineView& view) {

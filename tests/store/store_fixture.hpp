@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "eigengrasp/core/error.hpp"
+#include "eigengrasp/core/temporary_folder.hpp"
 #include "eigengrasp/database/grasp_store.hpp"
 #include "support/postgres_server.hpp"
 #include "support/random_grasps.hpp"
@@ -16,16 +17,6 @@ inline const char* const kStoreKinds[] = {"sqlite", "text", "postgresql"};
 /// An empty folder, and addresses of new stores of all kinds.
 class StoreFixture : public ::testing::Test {
  protected:
-  StoreFixture() {
-    std::string name = (std::filesystem::temp_directory_path() / "eigengrasp-store-XXXXXX").string();
-    if (!::mkdtemp(name.data())) throw std::runtime_error("no scratch folder");
-    folder_ = name;
-  }
-  ~StoreFixture() override {
-    std::error_code ec;
-    std::filesystem::remove_all(folder_, ec);
-  }
-
   static bool available(const std::string& kind) {
     return kind != "postgresql" || PostgresServer::instance();
   }
@@ -77,7 +68,8 @@ class StoreFixture : public ::testing::Test {
     return "(no error)";
   }
 
-  std::filesystem::path folder_;
+  TemporaryFolder scratch_{"store"};
+  std::filesystem::path folder_ = scratch_.path();
 
  private:
   int count_ = 0;

@@ -16,6 +16,8 @@
 #include <string>
 #include <vector>
 
+#include "eigengrasp/core/temporary_folder.hpp"
+
 namespace eigengrasp::testing {
 
 /// A PostgreSQL server of its own: in a scratch folder, on a free port of the loopback, gone at the end. Runs
@@ -33,9 +35,6 @@ class PostgresServer {
   }
 
   PostgresServer() {
-    std::string name = (std::filesystem::temp_directory_path() / "eigengrasp-pg-XXXXXX").string();
-    if (!::mkdtemp(name.data())) throw std::runtime_error("no scratch folder for PostgreSQL");
-    folder_ = name;
     std::ofstream(folder_ / "password") << "secret\n";
     if (::geteuid() == 0) run_here("chown -R postgres " + folder_.string());
     run(
@@ -51,8 +50,6 @@ class PostgresServer {
     } catch (const std::exception& e) {
       fmt::print(stderr, "{}\n", e.what());
     }
-    std::error_code ec;
-    std::filesystem::remove_all(folder_, ec);
   }
   PostgresServer(const PostgresServer&) = delete;
   PostgresServer& operator=(const PostgresServer&) = delete;
@@ -133,7 +130,8 @@ class PostgresServer {
     run_here((::geteuid() == 0 ? "runuser -u postgres -- " : "") + find_programs() + "/" + command);
   }
 
-  std::filesystem::path folder_;
+  TemporaryFolder scratch_{"pg"};
+  std::filesystem::path folder_ = scratch_.path();
   int port_ = 0;
   int count_ = 0;
 };

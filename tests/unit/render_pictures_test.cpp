@@ -7,6 +7,7 @@
 
 #include "eigengrasp/core/error.hpp"
 #include "eigengrasp/core/files.hpp"
+#include "eigengrasp/grasp/named_joints.hpp"
 #include "eigengrasp/render/picture_grid.hpp"
 #include "eigengrasp/render/pictures.hpp"
 #include "support/gripper.hpp"

@@ -37,6 +37,12 @@ inline Eigen::Quaterniond orientation(const Pose& X_AB) {
   return q;
 }
 
+/// The pose at a share of the way between two: straight, turning at one rate. @param share in [0, 1]
+inline Pose interpolate(const Pose& X_a, const Pose& X_b, double share) {
+  return make_pose(orientation(X_a).slerp(share, orientation(X_b)),
+                   (1.0 - share) * X_a.translation() + share * X_b.translation());
+}
+
 /// Angle [rad] in [0, pi] of the rotation that separates two orientations.
 inline double angle_between(const Mat3& R_a, const Mat3& R_b) {
   const double c = 0.5 * ((R_a.transpose() * R_b).trace() - 1.0);

@@ -55,10 +55,6 @@ class DrawnHand {
   std::vector<bool> is_base_;
 };
 
-/// The hand's joint values (n_joints) from values by name; joints that are not named have the value of the
-/// rest posture. @throws Error for the name of a joint that the hand does not have.
-VecX joints_by_name(const HandModel& hand, const NamedValues& values);
-
 /// From the palm to the fingertips in the rest posture, unit, in the hand frame; the approach direction
 /// where they are within 45 degrees, or the hand has no fingers.
 Vec3 finger_direction(const HandModel& hand);

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "eigengrasp/online/online_planner.hpp"
 #include "eigengrasp/online/online_view.hpp"
 #include "eigengrasp/planning/grasp_planner.hpp"
 
@@ -49,12 +50,12 @@ struct Hello {
 struct PlanStart {
   static constexpr const char* type = "plan.start";
   struct Options {
-    std::int64_t iterations = 70000;
-    int grasps = 20;
-    std::uint64_t seed = 1;
-    SearchKind search = SearchKind::staged;
-    EnergyKind energy = EnergyKind::contact;
-    int amplitudes = 2;
+    std::int64_t iterations = PlanOptions{}.iterations;
+    int grasps = PlanOptions{}.grasps;
+    std::uint64_t seed = PlanOptions{}.seed;
+    SearchKind search = PlanOptions{}.search;
+    EnergyKind energy = PlanOptions{}.energy;
+    int amplitudes = PlanOptions{}.amplitudes;
     std::optional<double> friction;
   };
   std::string hand;
@@ -71,13 +72,13 @@ struct PlanStop {
 struct OnlineStart {
   static constexpr const char* type = "online.start";
   struct Options {
-    std::uint64_t seed = 1;
-    int amplitudes = 2;
-    double cone_half_angle = 0.7853981633974483;
-    double look_ahead = 0.4;
-    double step_back = 0.03;
-    double epsilon_min = 1e-3;
-    double preshape_begins = 0.1;
+    std::uint64_t seed = OnlineOptions{}.seed;
+    int amplitudes = OnlineOptions{}.amplitudes;
+    double cone_half_angle = OnlineOptions{}.cone_half_angle;
+    double look_ahead = OnlineOptions{}.look_ahead;
+    double step_back = OnlineOptions{}.step_back;
+    double epsilon_min = OnlineOptions{}.epsilon_min;
+    double preshape_begins = OnlineOptions{}.preshape_begins;
     std::optional<double> friction;
   };
   std::string hand;

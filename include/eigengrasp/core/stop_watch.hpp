@@ -6,9 +6,13 @@
 
 namespace eigengrasp {
 
-/// Seconds since the last call, or since it was made.
 class StopWatch {
  public:
+  /// Since the last lap, or since it was made [s].
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - last_).count();
+  }
+  /// The same; a new lap begins.
   double lap() {
     const auto now = std::chrono::steady_clock::now();
     const double seconds = std::chrono::duration<double>(now - last_).count();
