@@ -88,11 +88,9 @@ ordered_json closed_json(const CollisionModel& model, const GraspEnergy& energy,
     if (const HandJoint& joint = hand.joints[static_cast<std::size_t>(j)]; joint.type != JointType::fixed)
       out["joints"][joint.name] = closed.joints[j];
   out["contacts"] = ordered_json::array();
-  std::vector<ContactPoint> points;
-  for (const GraspContact& c : find_contacts(model, closed.X_OL)) {
-    out["contacts"].push_back(contact_json(c));
-    points.push_back(c.point);
-  }
+  const std::vector<GraspContact> contacts = find_contacts(model, closed.X_OL, {}, &closed.proximity);
+  for (const GraspContact& c : contacts) out["contacts"].push_back(contact_json(c));
+  const std::vector<ContactPoint> points = contact_points(contacts);
   const WrenchSpaceQuality quality = compute_epsilon(points, energy.wrench_space());
   out["form_closure"] = quality.form_closure;
   out["epsilon"] = quality.epsilon;

@@ -11,6 +11,7 @@
 #include "eigengrasp/core/files.hpp"
 #include "eigengrasp/experiments/online_trial.hpp"
 #include "eigengrasp/experiments/paper_scenes.hpp"
+#include "server/latency_probe.hpp"
 
 namespace eigengrasp::cli {
 
@@ -102,6 +103,7 @@ int run_online_bench(const CLI::App& command, const OnlineBenchChoice& choice) {
     fmt::print(stderr, "eigengrasp: stopped; nothing was written\n");
     return nothing_found;
   }
+  report.wire_latency = server::measure_wire_latency(scenes.front(), user_cache(), {});
   fmt::print(text, "\n{}", online_targets(report));
   if (choice.json == "-") fmt::print("{}", online_json(report));
   if (!choice.json.empty() && choice.json != "-") write_file_atomically(choice.json, online_json(report));

@@ -12,7 +12,7 @@ namespace eigengrasp::cli {
 
 namespace {
 
-void say(const server::ServerAddress& address) {
+void say(const server::ServerAddress& address, const std::function<void()>& /*stop*/) {
   fmt::print("eigengrasp: {}\n", address.url);
   if (address.udp_port > 0) fmt::print("trackers: UDP port {} of 127.0.0.1\n", address.udp_port);
   if (!address.app) fmt::print("the web app is not built; './run serve' builds it\n");

@@ -24,7 +24,7 @@ std::string url_of(const std::string& bind, int port) {
 }  // namespace
 
 void serve(const ServerOptions& options, std::shared_ptr<PreparationCache> files,
-           const std::function<void(const ServerAddress&)>& ready) {
+           const WhenReady& ready) {
   if (const auto violations = options.validate(); !violations.empty()) fail("{}", violations.front());
   if (!options.logs.empty()) require_writable_folder(options.logs);
   const auto folder = options.app.empty() ? find_app_folder() : options.app;
@@ -43,9 +43,12 @@ void serve(const ServerOptions& options, std::shared_ptr<PreparationCache> files
   };
   handlers.datagram = [&](std::string_view text) { hub.take_datagram(text); };
 
-  Network network(options, std::move(handlers));
-  ready({url_of(options.bind, network.port()), network.udp_port(), has_app});
-  network.run();
+  const auto network = std::make_shared<Network>(options, std::move(handlers));
+  ready({network->port(), url_of(options.bind, network->port()), network->udp_port(), has_app},
+        [running = std::weak_ptr(network)] {
+          if (const auto still = running.lock()) still->stop();
+        });
+  network->run();
   hub.end_all();
   services.background.wait_for_all();  // before the network goes, which its clients refer to
 }

@@ -99,13 +99,7 @@ ThreadedPerformance measure_runs(const Scene& scene, const PerformanceOptions& o
     out.legal_share = judged.legal_share();
     out.judged_per_second = judged.median_rate();
   }
-  return {threads, first.timings.prepare, median(cached), bench.median_run(), bench.median_rate(), 0.0};
-}
-
-std::vector<ContactPoint> points_of(const std::vector<GraspContact>& contacts) {
-  std::vector<ContactPoint> points;
-  for (const GraspContact& c : contacts) points.push_back(c.point);
-  return points;
+  return {threads, first.timings.prepare, 0.0, median(cached), bench.median_run(), bench.median_rate(), 0.0};
 }
 
 /// Tests the pre-grasps that a search found, step by step.
@@ -124,7 +118,7 @@ class CandidateBench {
     });
     t.contacts = time_of([&] {
       for (std::size_t i = 0; i < grasps_.size(); ++i)
-        points_[i] = points_of(find_contacts(model_, closed_[i].X_OL));
+        points_[i] = contacts_of(closed_[i]);
     });
     t.closure = time_of([&] {
       for (const auto& points : points_) (void)has_form_closure(points, energy_.wrench_space());
@@ -139,8 +133,7 @@ class CandidateBench {
   double round(int threads) const {
     return time_of([&] {
       parallel_for(grasps_.size(), threads, [&](std::size_t i, int) {
-        const auto points = points_of(find_contacts(model_, close(grasps_[i]).X_OL));
-        (void)compute_epsilon(points, energy_.wrench_space());
+        (void)compute_epsilon(contacts_of(close(grasps_[i])), energy_.wrench_space());
       });
     });
   }
@@ -154,6 +147,9 @@ class CandidateBench {
 
  private:
   ClosedHand close(const Grasp& g) const { return close_fingers(model_, g.X_OH_pregrasp, g.pregrasp_dofs); }
+  std::vector<ContactPoint> contacts_of(const ClosedHand& closed) const {
+    return contact_points(find_contacts(model_, closed.X_OL, {}, &closed.proximity));
+  }
 
   CollisionModel model_;
   GraspEnergy energy_;
@@ -188,6 +184,16 @@ void measure_candidates(const Scene& scene, const PerformanceOptions& options,
   }
 }
 
+/// What a new object costs before anything can be planned on it; its file is read already.
+double prepare_object(const ObjectModel& object, int threads) {
+  DistanceFieldOptions options;
+  options.threads = threads;
+  return time_of([&] {
+    const ObjectModel anew = make_object(object.name, object.mesh);
+    const DistanceField field(anew.bvh, options);
+  });
+}
+
 }  // namespace
 
 ScenePerformance measure_performance(const Scene& scene, const PerformanceOptions& options) {
@@ -204,6 +210,12 @@ ScenePerformance measure_performance(const Scene& scene, const PerformanceOption
   }
   out.peak_memory = peak_memory();
   measure_candidates(scene, options, first.grasps, out);
+  out.triangles = static_cast<std::int64_t>(scene.object->mesh.triangles.size());
+  for (ThreadedPerformance& by : out.by_threads) {
+    std::vector<double> times;
+    repeat(options.seconds, options.stop, [&] { times.push_back(prepare_object(*scene.object, by.threads)); });
+    by.prepare_object = median(times);
+  }
   return out;
 }
 

@@ -10,6 +10,7 @@ namespace {
 OrderedJson scene_json(const ScenePerformance& scene) {
   OrderedJson json{{"hand", scene.hand},
                    {"object", scene.object},
+                   {"triangles", scene.triangles},
                    {"runs", scene.runs},
                    {"legal_share", scene.legal_share},
                    {"judged_states_per_second", scene.judged_per_second},
@@ -27,6 +28,7 @@ OrderedJson scene_json(const ScenePerformance& scene) {
                                {"states_per_second", by.states_per_second},
                                {"candidates_per_second", by.candidates_per_second},
                                {"prepare_seconds", by.prepare},
+                               {"prepare_object_seconds", by.prepare_object},
                                {"prepare_cached_seconds", by.prepare_cached},
                                {"run_seconds", by.run}});
   return json;

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 
+#include "eigengrasp/core/parallel.hpp"
 #include "geometry/grid_distances.hpp"
 
 namespace eigengrasp {
@@ -62,26 +64,32 @@ Vec3 node_position(const FieldGrid& grid, int x, int y, int z) {
 }
 
 /// Gives the nodes inside a negative sign. Neighbours whose distances sum to more than the step between them
-/// lie on the same side, so that the winding number is needed once for each such region.
+/// lie on the same side, so that the winding number is needed once for each region of such nodes.
 class SignFill {
  public:
-  SignFill(const MeshBvh& bvh, FieldGrid& grid)
+  SignFill(const MeshBvh& bvh, FieldGrid& grid, int threads)
       : bvh_(bvh),
         grid_(grid),
         nx_(grid.nodes.x()),
         ny_(grid.nodes.y()),
         nz_(grid.nodes.z()),
-        done_(grid.values.size(), false) {}
+        threads_(threads),
+        region_(grid.values.size(), none) {}
 
   void run() {
     for (int z = 0; z < nz_; ++z)
       for (int y = 0; y < ny_; ++y)
         for (int x = 0; x < nx_; ++x)
-          if (!done_[index(x, y, z)]) flood({x, y, z});
+          if (region_[index(x, y, z)] == none) flood({x, y, z});
+    const std::vector<char> inside = insides();
+    for (std::size_t i = 0; i < region_.size(); ++i)
+      if (inside[static_cast<std::size_t>(region_[i])]) grid_.values[i] = -grid_.values[i];
   }
 
  private:
   using Place = std::array<int, 3>;
+  static constexpr std::int32_t none = -1;
+  static constexpr std::size_t seeds_at_a_time = 64;
 
   std::size_t index(int x, int y, int z) const {
     return (static_cast<std::size_t>(z) * static_cast<std::size_t>(ny_) + static_cast<std::size_t>(y)) *
@@ -89,33 +97,47 @@ class SignFill {
            static_cast<std::size_t>(x);
   }
 
+  /// A new region: all that can be reached from a node without coming near the surface.
   void flood(const Place& seed) {
-    const bool inside = bvh_.contains(node_position(grid_, seed[0], seed[1], seed[2]));
+    const auto region = static_cast<std::int32_t>(seeds_.size());
+    seeds_.push_back(seed);
     queue_.assign(1, seed);
-    done_[index(seed[0], seed[1], seed[2])] = true;
+    region_[index(seed[0], seed[1], seed[2])] = region;
     while (!queue_.empty()) {
       const Place at = queue_.back();
       queue_.pop_back();
-      const std::size_t i = index(at[0], at[1], at[2]);
-      const float here = std::abs(grid_.values[i]);
+      const float here = grid_.values[index(at[0], at[1], at[2])];
       for (std::size_t axis = 0; axis < 3; ++axis)
         for (int step : {-1, 1}) {
           Place next = at;
           next[axis] += step;
           if (next[axis] < 0 || next[axis] >= grid_.nodes[static_cast<Eigen::Index>(axis)]) continue;
           const std::size_t j = index(next[0], next[1], next[2]);
-          if (done_[j] || here + std::abs(grid_.values[j]) <= 1.0001 * grid_.cell) continue;
-          done_[j] = true;
+          if (region_[j] != none || here + grid_.values[j] <= 1.0001 * grid_.cell) continue;
+          region_[j] = region;
           queue_.push_back(next);
         }
-      if (inside) grid_.values[i] = -here;
     }
+  }
+
+  /// Of each region, whether it lies inside.
+  std::vector<char> insides() const {
+    std::vector<char> inside(seeds_.size());
+    const std::size_t parts = (seeds_.size() + seeds_at_a_time - 1) / seeds_at_a_time;
+    parallel_for(parts, threads_, [&](std::size_t part, int) {
+      const std::size_t end = std::min(seeds_.size(), (part + 1) * seeds_at_a_time);
+      for (std::size_t i = part * seeds_at_a_time; i < end; ++i)
+        inside[i] = bvh_.contains(node_position(grid_, seeds_[i][0], seeds_[i][1], seeds_[i][2]));
+    });
+    return inside;
   }
 
   const MeshBvh& bvh_;
   FieldGrid& grid_;
   int nx_, ny_, nz_;
-  std::vector<bool> done_;
+  int threads_;
+  std::vector<std::int32_t> region_;  ///< of each node
+  std::vector<Place> seeds_;          ///< a node of each region
   std::vector<Place> queue_;
 };
 
@@ -161,7 +183,7 @@ DistanceField::DistanceField(const MeshBvh& bvh, const DistanceFieldOptions& opt
   grids->coarse = make_grid(box, options.far_margin, 0.008, options.region);
   for (FieldGrid* grid : {&grids->fine, &grids->coarse}) {
     fill_unsigned_distances(bvh, *grid, options.threads);
-    SignFill(bvh, *grid).run();
+    SignFill(bvh, *grid, options.threads).run();
   }
   grids_ = std::move(grids);
 }

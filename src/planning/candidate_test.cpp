@@ -13,12 +13,6 @@ namespace {
 
 constexpr double deepest_allowed = 0.0005;  // [m]
 
-std::vector<ContactPoint> points_of(const std::vector<GraspContact>& contacts) {
-  std::vector<ContactPoint> points;
-  for (const GraspContact& c : contacts) points.push_back(c.point);
-  return points;
-}
-
 }  // namespace
 
 CandidateResult test_candidate(const CollisionModel& model, const GraspEnergy& energy,
@@ -41,7 +35,7 @@ CandidateResult test_candidate(const CollisionModel& model, const GraspEnergy& e
   if (g.contacts.empty()) return result;
 
   // One contact never closes.
-  const auto points = points_of(g.contacts);
+  const auto points = contact_points(g.contacts);
   const WrenchSpaceQuality quality =
       points.size() < 2 ? WrenchSpaceQuality{} : compute_epsilon(points, energy.wrench_space());
   g.epsilon = quality.epsilon;
@@ -57,7 +51,7 @@ CandidateResult test_candidate(const CollisionModel& model, const GraspEnergy& e
 }
 
 void add_volume(const GraspEnergy& energy, Grasp& grasp) {
-  grasp.volume = grasp.form_closure ? compute_volume(points_of(grasp.contacts), energy.wrench_space()) : 0.0;
+  grasp.volume = grasp.form_closure ? compute_volume(contact_points(grasp.contacts), energy.wrench_space()) : 0.0;
 }
 
 namespace {

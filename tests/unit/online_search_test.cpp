@@ -169,5 +169,33 @@ TEST(ShownHand, TakesThePostureOfTheOfferedGraspAsItComesNear) {
   EXPECT_NEAR(hand.dofs()[0], offer.pregrasp_dofs[0], 1e-9);
 }
 
+TEST(ShownHand, ReachesEveryOfferedPreGraspThoughItsFingersStandInTheWay) {
+  const Prepared& p = prepared();
+  const Vec3 ahead = p.scene.hand->approach_direction_H;
+  int offers = 0;
+  int held_up = 0;
+  for (const PreGrasp& c : p.search(1500)) {
+    std::vector<Pose> X_OL;
+    compute_link_poses(*p.scene.hand, joint_values(*p.scene.hand, c.dofs), c.X_OH, X_OL);
+    if (p.model.check_exact(X_OL) != Legality::legal) continue;
+    Grasp offer;
+    offer.X_OH_pregrasp = c.X_OH;
+    offer.pregrasp_dofs = c.dofs;
+    ShownHand hand(p.model, p.options);
+    bool blocked = false;
+    for (int i = 80; i >= -60; --i) {
+      hand.follow(c.X_OH * Eigen::Translation3d(-0.002 * std::max(i, 0) * ahead), &offer, 0.02);
+      blocked = blocked || hand.blocked();
+    }
+    ++offers;
+    held_up += blocked;
+    EXPECT_FALSE(hand.blocked()) << offers;
+    EXPECT_TRUE(hand.X_OH().isApprox(c.X_OH, 1e-12)) << offers;
+    EXPECT_TRUE(hand.dofs().isApprox(c.dofs, 1e-12)) << offers;
+  }
+  EXPECT_GT(offers, 20);
+  EXPECT_GT(held_up, 0);
+}
+
 }  // namespace
 }  // namespace eigengrasp

@@ -34,6 +34,7 @@ struct CandidateSteps {
 struct ThreadedPerformance {
   int threads = 1;
   double prepare = 0.0;                ///< [s] of a run, all made anew
+  double prepare_object = 0.0;         ///< [s] of the object alone, anew
   double prepare_cached = 0.0;         ///< [s] with fields and spheres from the cache on disk
   double run = 0.0;                    ///< [s] search, closing, rating and check, without preparation
   double states_per_second = 0.0;      ///< of the search: drawn, tested, and rated where legal
@@ -45,6 +46,7 @@ struct ScenePerformance {
   std::string hand;
   std::string object;
   std::optional<PaperHand> paper_hand;  ///< where there are figures of GraspIt! to compare with
+  std::int64_t triangles = 0;           ///< of the object
   int runs = 0;                         ///< of the planner, on one thread; as many seeds
   double legal_share = 0.0;             ///< of the states of the search, all of them judged
   double judged_per_second = 0.0;       ///< as states_per_second on one thread, with PlanOptions::judge_all

@@ -23,6 +23,9 @@ struct GraspContact {
   ContactPoint point;
 };
 
+/// The points alone, as wrench spaces take them.
+std::vector<ContactPoint> contact_points(const std::vector<GraspContact>& contacts);
+
 /// Where a grasp came from, so that it can be made again.
 struct GraspProvenance {
   std::string planner;  ///< such as "annealing/contact"

@@ -73,7 +73,7 @@ VecX hand_posture(const HandModel& hand, const SearchSpace& space, const HandSta
 ///
 /// Tempered, the sixteen chains stand on a ladder of temperatures, from the schedule's last to its first;
 /// after every other step neighbours trade theirs by the Metropolis rule. Progress has no meaning then.
-class Annealer {
+class alignas(128) Annealer {
  public:
   /// What annealers share; what it refers to must outlive them.
   struct Task {
