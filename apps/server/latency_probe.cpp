@@ -114,7 +114,8 @@ class Probe {
       if (error) return end(error);
       const double now = watch_.seconds();
       const wire::ServerMessage message = take();
-      if (const auto* view = std::get_if<wire::View>(&message); view && view->wrist) note(view->wrist->time, now);
+      if (const auto* view = std::get_if<wire::View>(&message); view && view->wrist)
+        note(view->wrist->time, now);
       if (now > options_.seconds) return end({});
       read_next();
     });
@@ -126,11 +127,12 @@ class Probe {
     latencies_.push_back(now - pose_time);
   }
 
-  /// The wrist moves towards the object as if nothing were offered. Its poses carry the time at which they are sent.
+  /// The wrist moves towards the object as if nothing were offered. Its poses carry the time at which they
+  /// are sent.
   void send_next() {
     const double period = 1.0 / options_.poses_per_second;
-    timer_.expires_after(std::chrono::duration_cast<asio::steady_timer::duration>(
-        std::chrono::duration<double>(period)));
+    timer_.expires_after(
+        std::chrono::duration_cast<asio::steady_timer::duration>(std::chrono::duration<double>(period)));
     timer_.async_wait([this, period](error_code error) {
       if (error) return;
       (void)operator_.step(OnlineView{}, period);

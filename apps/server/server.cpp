@@ -23,8 +23,7 @@ std::string url_of(const std::string& bind, int port) {
 
 }  // namespace
 
-void serve(const ServerOptions& options, std::shared_ptr<PreparationCache> files,
-           const WhenReady& ready) {
+void serve(const ServerOptions& options, std::shared_ptr<PreparationCache> files, const WhenReady& ready) {
   if (const auto violations = options.validate(); !violations.empty()) fail("{}", violations.front());
   if (!options.logs.empty()) require_writable_folder(options.logs);
   const auto folder = options.app.empty() ? find_app_folder() : options.app;

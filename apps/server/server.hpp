@@ -26,7 +26,6 @@ using WhenReady = std::function<void(const ServerAddress&, const std::function<v
 /// @param files keeps what is made of meshes; none: all is made anew
 /// @throws Error, one sentence, for options that are not sound, a port in use, a folder without an app,
 /// models that cannot be read.
-void serve(const ServerOptions& options, std::shared_ptr<PreparationCache> files,
-           const WhenReady& ready);
+void serve(const ServerOptions& options, std::shared_ptr<PreparationCache> files, const WhenReady& ready);
 
 }  // namespace eigengrasp::server

@@ -117,8 +117,7 @@ class CandidateBench {
       for (std::size_t i = 0; i < grasps_.size(); ++i) closed_[i] = close(grasps_[i]);
     });
     t.contacts = time_of([&] {
-      for (std::size_t i = 0; i < grasps_.size(); ++i)
-        points_[i] = contacts_of(closed_[i]);
+      for (std::size_t i = 0; i < grasps_.size(); ++i) points_[i] = contacts_of(closed_[i]);
     });
     t.closure = time_of([&] {
       for (const auto& points : points_) (void)has_form_closure(points, energy_.wrench_space());
@@ -213,7 +212,8 @@ ScenePerformance measure_performance(const Scene& scene, const PerformanceOption
   out.triangles = static_cast<std::int64_t>(scene.object->mesh.triangles.size());
   for (ThreadedPerformance& by : out.by_threads) {
     std::vector<double> times;
-    repeat(options.seconds, options.stop, [&] { times.push_back(prepare_object(*scene.object, by.threads)); });
+    repeat(options.seconds, options.stop,
+           [&] { times.push_back(prepare_object(*scene.object, by.threads)); });
     by.prepare_object = median(times);
   }
   return out;

@@ -56,10 +56,10 @@ std::string scenes_table(const PerformanceReport& report) {
   std::vector<Row> rows;
   for (const ScenePerformance& scene : report.scenes)
     for (const ThreadedPerformance& by : scene.by_threads) rows.push_back(scene_row(scene, by));
-  return markdown_table(
-      {"hand", "object", "threads", "states/s", "legal", "candidates/s", "close [us]", "contacts [us]",
-       "closure [us]", "epsilon [us]", "run [ms]", "prepare [ms]", "the object [ms]", "from cache [ms]", "memory [MB]"},
-      rows);
+  return markdown_table({"hand", "object", "threads", "states/s", "legal", "candidates/s", "close [us]",
+                         "contacts [us]", "closure [us]", "epsilon [us]", "run [ms]", "prepare [ms]",
+                         "the object [ms]", "from cache [ms]", "memory [MB]"},
+                        rows);
 }
 
 /// States of all hands that GraspIt! has figures of.

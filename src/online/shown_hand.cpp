@@ -16,11 +16,12 @@ constexpr double still = 0.0025;           // [m] less than that from where the 
 constexpr double settling = 0.15;          // [s] in which tremor is averaged
 constexpr double turn_as_distance = 0.10;  // [m/rad] a turn that is to come counts as that much way
 constexpr double full_preshape = 0.02;     // [m] the posture is reached that much before the pre-grasp
-constexpr int halvings = 3;                // of a way that is not free as a whole
-constexpr double start_step = 0.01;        // [m] by which a hand that starts in collision is drawn back
+constexpr double turned_enough = 0.5;  // [rad] before their place at which fingers that spread begin to close
+constexpr int halvings = 3;            // of a way that is not free as a whole
+constexpr double start_step = 0.01;    // [m] by which a hand that starts in collision is drawn back
 constexpr int most_start_steps = 40;
-constexpr double draw_back_step = 0.005;  // [m] by which fingers that do not pass beside the object are drawn
-constexpr int most_draw_back_steps = 20;
+constexpr double draw_back_step = 0.01;  // [m] by which fingers that do not pass beside the object are drawn
+constexpr int most_draw_back_steps = 30;
 
 /// How far a wrist has to go to another [m], turns counted as way.
 double way_between(const Pose& X_OA, const Pose& X_OB) {
@@ -86,6 +87,23 @@ void ShownHand::go_as_far_as_free(const Pose& X_OW) {
   }
 }
 
+/// Between open and the pre-grasp: fingers close as the hand comes near. What does not close, such as the
+/// spread of fingers, turns to its place before that, while they are far from the object and from each other.
+VecX ShownHand::preshaped(const VecX& pregrasp) const {
+  if (preshape_ == 0.0) return open_;
+  const auto turns = [&](Eigen::Index i) {
+    return model_.scene().hand->dofs[static_cast<std::size_t>(i)].closing_speed == 0.0;
+  };
+  double to_turn = 0.0;
+  for (Eigen::Index i = 0; i < dofs_.size(); ++i)
+    if (turns(i)) to_turn = std::max(to_turn, std::abs(pregrasp[i] - dofs_[i]));
+  const double closed = preshape_ * std::max(0.0, 1.0 - to_turn / turned_enough);
+  VecX dofs = open_ + closed * (pregrasp - open_);
+  for (Eigen::Index i = 0; i < dofs.size(); ++i)
+    if (turns(i)) dofs[i] = pregrasp[i];
+  return dofs;
+}
+
 /// Draws the hand back from the wrist until the fingers are free on their way into the pre-grasp posture.
 bool ShownHand::draw_back(const Pose& X_OW, const VecX& moved) {
   for (int i = 1; i <= most_draw_back_steps; ++i) {
@@ -116,14 +134,14 @@ void ShownHand::follow(const Pose& X_OW_held, const Grasp* offered, double secon
       return;
     }
   }
-  const VecX goal = offered ? VecX(open_ + preshape_ * (offered->pregrasp_dofs - open_)) : open_;
-  move(X_OW, towards(goal, seconds), towards(open_, seconds));
+  move(X_OW, towards(offered ? preshaped(offered->pregrasp_dofs) : open_, seconds), towards(open_, seconds));
 }
 
 void ShownHand::move(const Pose& X_OW, const VecX& moved, const VecX& opened) {
   blocked_ = false;
   // Wrist and fingers; the wrist alone; the wrist with open fingers; as far as the fingers let it, then them.
-  // At the pre-grasp its posture comes first: the fingers pass beside what is in their way with the hand drawn back.
+  // At the pre-grasp its posture comes first: the fingers pass beside what is in their way with the hand
+  // drawn back.
   if (is_free(X_OW, moved)) {
     X_OH_ = X_OW;
     dofs_ = moved;

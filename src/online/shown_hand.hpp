@@ -36,6 +36,7 @@ class ShownHand {
   Pose steady(const Pose& X_OW, double seconds) const;
   bool is_free(const Pose& X_OH, const VecX& dofs);
   bool find_free_start(const Pose& X_OW);
+  VecX preshaped(const VecX& pregrasp) const;
   VecX towards(const VecX& wanted, double seconds) const;
   void go_as_far_as_free(const Pose& X_OW);
   bool draw_back(const Pose& X_OW, const VecX& moved);

@@ -51,7 +51,8 @@ CandidateResult test_candidate(const CollisionModel& model, const GraspEnergy& e
 }
 
 void add_volume(const GraspEnergy& energy, Grasp& grasp) {
-  grasp.volume = grasp.form_closure ? compute_volume(contact_points(grasp.contacts), energy.wrench_space()) : 0.0;
+  grasp.volume =
+      grasp.form_closure ? compute_volume(contact_points(grasp.contacts), energy.wrench_space()) : 0.0;
 }
 
 namespace {
