@@ -23,6 +23,7 @@ void add_object_command(CLI::App& app);
 void add_bench_command(CLI::App& app, int& exit_code);
 void add_online_bench_command(CLI::App& app, int& exit_code);
 void add_reproduce_command(CLI::App& app, int& exit_code);
+void add_replay_command(CLI::App& app, int& exit_code);
 void add_serve_command(CLI::App& app);
 void add_db_command(CLI::App& app, int& exit_code);
 

@@ -52,6 +52,7 @@ int main(int argc, char** argv) {
   eigengrasp::cli::add_online_bench_command(app, exit_code);
   eigengrasp::cli::add_reproduce_command(app, exit_code);
   eigengrasp::cli::add_serve_command(app);
+  eigengrasp::cli::add_replay_command(app, exit_code);
   eigengrasp::cli::add_db_command(app, exit_code);
   try {
     app.parse(argc, argv);

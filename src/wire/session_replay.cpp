@@ -33,9 +33,13 @@ std::vector<RecordedTask> recorded_tasks(std::span<const LogLine> log) {
   double begin = 0.0;
   for (const LogLine& line : log) {
     const auto* message = std::get_if<ClientMessage>(&line.message);
-    if (message == nullptr) continue;
+    if (message == nullptr) {
+      const auto* closed = std::get_if<Closed>(&std::get<ServerMessage>(line.message));
+      if (running && closed != nullptr) tasks.back().closed.push_back(*closed);
+      continue;
+    }
     if (const auto* start = std::get_if<OnlineStart>(message)) {
-      tasks.push_back({*start, {}});
+      tasks.push_back({*start, {}, {}});
       running = true;
     } else if (std::holds_alternative<OnlineStop>(*message)) {
       running = false;

@@ -220,6 +220,18 @@ class Online(support.EndToEnd):
         went_out = [line['out']['type'] for line in lines if 'out' in line]
         self.assertEqual((went_out[0], went_out[-1]), ('online.ready', 'online.stopped'))
         self.assertIn('view', went_out)
+        self.replay_again(logs / listed['logs'][0]['name'])
+
+    def replay_again(self, log):
+        run = self.run_program('replay', log)
+        self.assertIn(run.returncode, (0, 1), run.stderr)  # 0.2 m from the object there may be nothing to hold
+        self.assertRegex(run.stdout, r'task 1: human on flask, 11 inputs in .*\n +close 1: .+; then .+\n')
+        self.assertNotIn('not recorded', run.stdout)
+        for wrong, sentence in ((self.file('empty.jsonl'), 'holds no interactive session'),
+                                (self.folder / 'none.jsonl', 'none.jsonl')):
+            run = self.run_program('replay', wrong)
+            self.assertEqual(run.returncode, 2)
+            self.assertIn(sentence, run.stderr)
 
 
 if __name__ == '__main__':

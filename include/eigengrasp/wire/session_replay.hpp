@@ -15,6 +15,7 @@ namespace eigengrasp::wire {
 struct RecordedTask {
   OnlineStart start;
   std::vector<LogLine> input;  ///< wrist, targets, command; t counts from the first of them
+  std::vector<Closed> closed;  ///< what each close made then
 };
 
 /// The online tasks of a log, in their order.
