@@ -35,7 +35,8 @@ void add_planner_options(CLI::App& command, PlannerChoice& choice) {
   command.add_option(
       "--search", choice.search,
       "staged: many short chains, candidates closed on the way; tempering: the same with chains that trade "
-      "temperatures instead of cooling; paper: one plain annealing chain");
+      "temperatures instead of cooling; paper: one plain annealing chain; enhanced: pre-grasps refined by "
+      "local searches until --grasps are form-closed");
   command.add_option("--eigengrasps", choice.amplitudes,
                      "Amplitudes to search over: a number, or 'all' degrees of freedom");
   command.add_option("--alpha", o.alpha,
@@ -83,8 +84,10 @@ PlanOptions understand(const PlannerChoice& choice, const HandModel& hand) {
     o.search = SearchKind::paper;
   } else if (choice.search == "tempering") {
     o.search = SearchKind::tempering;
+  } else if (choice.search == "enhanced") {
+    o.search = SearchKind::enhanced;
   } else if (choice.search != "staged") {
-    fail("--search is '{}', expected staged, tempering or paper", choice.search);
+    fail("--search is '{}', expected staged, tempering, enhanced or paper", choice.search);
   }
   if (choice.norm == "linf") {
     o.norm = WrenchNorm::linf;

@@ -25,6 +25,7 @@ class SqlStore : public GraspStore {
   std::size_t add_units(const std::vector<UnitKey>& keys) override;
   std::vector<StoredUnit> units() override;
   std::optional<UnitKey> claim_unit(const std::string& worker, double lease_seconds) override;
+  std::vector<UnitKey> claim_object(const std::string& worker, double lease_seconds) override;
   bool renew_lease(const UnitKey& key, const std::string& worker, double lease_seconds) override;
   bool release_unit(const UnitKey& key, const std::string& worker) override;
   std::vector<bool> finish_units(const std::vector<UnitResult>& results) override;
@@ -63,6 +64,8 @@ class SqlStore : public GraspStore {
   std::vector<StoredModel> models_where(const std::string& condition, const std::vector<SqlValue>& values);
   std::vector<StoredHand> hands_where(const std::string& condition, const std::vector<SqlValue>& values);
   bool add_scales(const std::string& model, const std::vector<double>& scales);
+  std::optional<Slot> claim_first(const std::string& worker, double lease_seconds);
+  UnitKey key_of(Slot slot);
   bool store_outcome(const UnitResult& result, Slot slot);
   void append_rows(const UnitKey& key, Slot slot, const std::vector<StoredGrasp>& grasps,
                    std::vector<GraspRow>& rows);

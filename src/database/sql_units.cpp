@@ -49,34 +49,68 @@ std::vector<StoredUnit> SqlStore::units() {
   return units;
 }
 
-std::optional<UnitKey> SqlStore::claim_unit(const std::string& worker, double lease_seconds) {
-  require_claim(worker, lease_seconds);
-  const std::lock_guard lock(mutex_);
-  // SQLite locks the file for the statement, PostgreSQL the row, passing over what others are taking.
-  const std::string claim =
+/// Within a transaction. SQLite locks the file for the statement, PostgreSQL the row, passing over what
+/// others are taking.
+std::optional<SqlStore::Slot> SqlStore::claim_first(const std::string& worker, double lease_seconds) {
+  // A claim that a power cut takes is a unit that waits again.
+  if (!db_->dialect().light_commit.empty()) db_->script(db_->dialect().light_commit);
+  std::optional<Slot> slot;
+  db_->run(
       sql("UPDATE work_unit SET work_unit_state = 'claimed', work_unit_worker = $1, "
           "work_unit_lease = @clock + CAST($2 AS DOUBLE PRECISION) WHERE work_unit_id = (SELECT work_unit_id "
           "FROM work_unit WHERE work_unit_state IN ('waiting', 'claimed') AND "
           "(work_unit_state = 'waiting' OR work_unit_lease < @clock) ORDER BY work_unit_id LIMIT 1" +
-          db_->dialect().skip_locked + ") RETURNING scaled_model_id, hand_id");
+          db_->dialect().skip_locked + ") RETURNING scaled_model_id, hand_id"),
+      {worker, lease_seconds}, [&](const SqlRow& row) {
+        slot = Slot{row.integer(0), row.integer(1)};
+      });
+  return slot;
+}
+
+UnitKey SqlStore::key_of(Slot slot) {
+  UnitKey key;
+  db_->run(
+      "SELECT o.original_model_name, s.scaled_model_scale, h.hand_name FROM scaled_model s "
+      "JOIN original_model o ON o.original_model_id = s.original_model_id, hand h "
+      "WHERE s.scaled_model_id = $1 AND h.hand_id = $2",
+      {slot.scaled_model, slot.hand}, [&](const SqlRow& row) {
+        key = UnitKey{row.string(0), row.number(1), row.string(2)};
+      });
+  return key;
+}
+
+std::optional<UnitKey> SqlStore::claim_unit(const std::string& worker, double lease_seconds) {
+  require_claim(worker, lease_seconds);
+  const std::lock_guard lock(mutex_);
   SqlTransaction transaction(*db_);
-  // A claim that a power cut takes is a unit that waits again.
-  if (!db_->dialect().light_commit.empty()) db_->script(db_->dialect().light_commit);
-  std::optional<Slot> slot;
-  db_->run(claim, {worker, lease_seconds}, [&](const SqlRow& row) {
-    slot = Slot{row.integer(0), row.integer(1)};
-  });
   std::optional<UnitKey> key;
-  if (slot)
-    db_->run(
-        "SELECT o.original_model_name, s.scaled_model_scale, h.hand_name FROM scaled_model s "
-        "JOIN original_model o ON o.original_model_id = s.original_model_id, hand h "
-        "WHERE s.scaled_model_id = $1 AND h.hand_id = $2",
-        {slot->scaled_model, slot->hand}, [&](const SqlRow& row) {
-          key = UnitKey{row.string(0), row.number(1), row.string(2)};
-        });
+  if (const std::optional<Slot> slot = claim_first(worker, lease_seconds)) key = key_of(*slot);
   transaction.commit();
   return key;
+}
+
+std::vector<UnitKey> SqlStore::claim_object(const std::string& worker, double lease_seconds) {
+  require_claim(worker, lease_seconds);
+  const std::lock_guard lock(mutex_);
+  SqlTransaction transaction(*db_);
+  std::map<std::int64_t, Slot> others;  // by number of the unit
+  std::vector<UnitKey> keys;
+  if (const std::optional<Slot> first = claim_first(worker, lease_seconds)) {
+    keys.push_back(key_of(*first));
+    db_->run(
+        sql("UPDATE work_unit SET work_unit_state = 'claimed', work_unit_worker = $1, "
+            "work_unit_lease = @clock + CAST($2 AS DOUBLE PRECISION) WHERE work_unit_id IN (SELECT "
+            "work_unit_id FROM work_unit WHERE scaled_model_id IN (SELECT scaled_model_id FROM scaled_model "
+            "WHERE original_model_id = $3) AND work_unit_state IN ('waiting', 'claimed') AND "
+            "(work_unit_state = 'waiting' OR work_unit_lease < @clock) ORDER BY work_unit_id" +
+            db_->dialect().skip_locked + ") RETURNING scaled_model_id, hand_id, work_unit_id"),
+        {worker, lease_seconds, model_id(keys.front().object)}, [&](const SqlRow& row) {
+          others[row.integer(2)] = Slot{row.integer(0), row.integer(1)};
+        });
+  }
+  for (const auto& [number, slot] : others) keys.push_back(key_of(slot));
+  transaction.commit();
+  return keys;
 }
 
 bool SqlStore::renew_lease(const UnitKey& key, const std::string& worker, double lease_seconds) {

@@ -156,22 +156,35 @@ std::vector<StoredUnit> TextStore::units() {
   return units;
 }
 
-std::optional<UnitKey> TextStore::claim_unit(const std::string& worker, double lease_seconds) {
+/// The first unit that can be claimed, and all others of its object where the whole object is asked for.
+std::vector<UnitKey> TextStore::claim(const std::string& worker, double lease_seconds, bool whole_object) {
   require_claim(worker, lease_seconds);
   const std::lock_guard lock(mutex_);
   require_writable();
   const double now = seconds_since_1970();
-  for (const std::int64_t number : open_) {
+  std::vector<UnitKey> claimed;
+  for (const std::int64_t number : std::vector<std::int64_t>(open_.begin(), open_.end())) {
     Slot& slot = slots_.at(order_.at(number));
     if (slot.unit.state == UnitState::claimed && slot.unit.lease_until >= now) continue;
+    if (!claimed.empty() && claimed.front().object != slot.unit.key.object) continue;
     StoredUnit unit = slot.unit;
     unit.state = UnitState::claimed;
     unit.worker = worker;
     unit.lease_until = now + lease_seconds;
     rewrite(slot, unit);
-    return unit.key;
+    claimed.push_back(unit.key);
+    if (!whole_object) break;
   }
-  return std::nullopt;
+  return claimed;
+}
+
+std::optional<UnitKey> TextStore::claim_unit(const std::string& worker, double lease_seconds) {
+  const std::vector<UnitKey> claimed = claim(worker, lease_seconds, false);
+  return claimed.empty() ? std::nullopt : std::optional(claimed.front());
+}
+
+std::vector<UnitKey> TextStore::claim_object(const std::string& worker, double lease_seconds) {
+  return claim(worker, lease_seconds, true);
 }
 
 TextStore::Slot* TextStore::held_by(const UnitKey& key, const std::string& worker) {

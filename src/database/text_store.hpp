@@ -29,6 +29,7 @@ class TextStore : public GraspStore {
   std::size_t add_units(const std::vector<UnitKey>& keys) override;
   std::vector<StoredUnit> units() override;
   std::optional<UnitKey> claim_unit(const std::string& worker, double lease_seconds) override;
+  std::vector<UnitKey> claim_object(const std::string& worker, double lease_seconds) override;
   bool renew_lease(const UnitKey& key, const std::string& worker, double lease_seconds) override;
   bool release_unit(const UnitKey& key, const std::string& worker) override;
   std::vector<bool> finish_units(const std::vector<UnitResult>& results) override;
@@ -71,6 +72,7 @@ class TextStore : public GraspStore {
   void require_model(const std::string& name) const;
   void require_sources(const std::vector<StoredGrasp>& grasps) const;
   Slot slot_or_new(const UnitKey& key) const;
+  std::vector<UnitKey> claim(const std::string& worker, double lease_seconds, bool whole_object);
   void keep(const Slot& slot);
   Slot* held_by(const UnitKey& key, const std::string& worker);
   void rewrite(Slot& slot, const StoredUnit& unit);

@@ -58,15 +58,28 @@ HandSurfaces::HandSurfaces(const HandModel& hand, double cover_tolerance, int th
 CollisionModel::CollisionModel(Scene scene, const Options& options)
     : scene_(std::move(scene)),
       options_(options),
-      surfaces_(*scene_.hand, options.fast ? options.cover_tolerance : 0.0, options.threads,
-                options.cache.get()) {
+      surfaces_(std::make_shared<const HandSurfaces>(
+          *scene_.hand, options.fast ? options.cover_tolerance : 0.0, options.threads, options.cache.get())) {
   if (!options.fast) return;
   DistanceFieldOptions field;
   field.threads = options.threads;
   object_field_ = make_object_field(*scene_.object, field, options.cache.get());
+  add_obstacles();
+}
+
+CollisionModel::CollisionModel(Scene scene, const Options& options, Prepared prepared)
+    : scene_(std::move(scene)),
+      options_(options),
+      surfaces_(std::move(prepared.hand)),
+      object_field_(std::move(prepared.object)) {
+  if (options.fast) add_obstacles();
+}
+
+void CollisionModel::add_obstacles() {
   for (const Obstacle& obstacle : scene_.obstacles) {
     // Only the part near the object can matter.
-    DistanceFieldOptions clipped = field;
+    DistanceFieldOptions clipped;
+    clipped.threads = options_.threads;
     const Pose X_BO = obstacle.X_OB.inverse();
     const Vec3 center = X_BO * scene_.object->mesh.vertices.front();
     const double reach = bounding_box(scene_.object->mesh).diagonal() + 2.0 * hand_reach(*scene_.hand);
@@ -74,7 +87,7 @@ CollisionModel::CollisionModel(Scene scene, const Options& options)
     clipped.cell = 0.005;
     clipped.far_margin = reach;
     obstacle_fields_.push_back(
-        make_field(obstacle.model->mesh, obstacle.model->bvh, clipped, options.cache.get()));
+        make_field(obstacle.model->mesh, obstacle.model->bvh, clipped, options_.cache.get()));
   }
 }
 
@@ -125,7 +138,7 @@ CollisionModel::ObjectOverlap overlap(const MeshBvh& solid, const DistanceField&
 }  // namespace
 
 bool CollisionModel::link_hits_field(int link, const Pose& X_FL, const DistanceField& field) const {
-  const auto& surface = surfaces_.links[static_cast<std::size_t>(link)];
+  const auto& surface = surfaces_->links[static_cast<std::size_t>(link)];
   if (surface.empty()) return false;
   const double clearance = field.distance(X_FL * surface.bound.center);
   if (clearance > surface.bound.radius) return false;
@@ -143,7 +156,7 @@ bool CollisionModel::link_hits_field(int link, const Pose& X_FL, const DistanceF
 
 // Only the part of an obstacle near the object has a field; beyond it the meshes are asked.
 bool CollisionModel::link_hits_obstacle(std::size_t obstacle, int link, const Pose& X_BL) const {
-  const auto& surface = surfaces_.links[static_cast<std::size_t>(link)];
+  const auto& surface = surfaces_->links[static_cast<std::size_t>(link)];
   const DistanceField& field = obstacle_fields_[obstacle];
   if (surface.empty() || field.covers(X_BL * surface.bound.center)) return link_hits_field(link, X_BL, field);
   const ObjectOverlap o = overlap(scene_.obstacles[obstacle].model->bvh, field, surface, X_BL);
@@ -160,8 +173,8 @@ bool meet(const Sphere& a, const Vec3& center_b, double radius_b) {
 }  // namespace
 
 bool CollisionModel::links_hit(int a, int b, const std::vector<Pose>& X_OL) const {
-  const auto& sa = surfaces_.links[static_cast<std::size_t>(a)];
-  const auto& sb = surfaces_.links[static_cast<std::size_t>(b)];
+  const auto& sa = surfaces_->links[static_cast<std::size_t>(a)];
+  const auto& sb = surfaces_->links[static_cast<std::size_t>(b)];
   const Pose& X_OA = X_OL[static_cast<std::size_t>(a)];
   const Pose& X_OB = X_OL[static_cast<std::size_t>(b)];
   const Vec3 cb_O = X_OB * sb.bound.center;
@@ -200,24 +213,24 @@ Legality CollisionModel::check_fast(const std::vector<Pose>& X_OL) const {
 }
 
 CollisionModel::ObjectOverlap CollisionModel::overlap_with_object(int link, const Pose& X_OL) const {
-  return overlap(scene_.object->bvh, object_field_, surfaces_.links[static_cast<std::size_t>(link)], X_OL);
+  return overlap(scene_.object->bvh, object_field_, surfaces_->links[static_cast<std::size_t>(link)], X_OL);
 }
 
 Legality CollisionModel::check_exact(const std::vector<Pose>& X_OL) const {
   for (std::size_t i = 0; i < X_OL.size(); ++i) {
-    const ObjectOverlap o = overlap(scene_.object->bvh, object_field_, surfaces_.links[i], X_OL[i]);
+    const ObjectOverlap o = overlap(scene_.object->bvh, object_field_, surfaces_->links[i], X_OL[i]);
     if (o.crosses || o.contained) return Legality::hits_object;
   }
   for (const Obstacle& obstacle : scene_.obstacles) {
     const Pose X_BO = obstacle.X_OB.inverse();
     for (std::size_t i = 0; i < X_OL.size(); ++i) {
-      const ObjectOverlap o = overlap(obstacle.model->bvh, {}, surfaces_.links[i], X_BO * X_OL[i]);
+      const ObjectOverlap o = overlap(obstacle.model->bvh, {}, surfaces_->links[i], X_BO * X_OL[i]);
       if (o.crosses || o.contained) return Legality::hits_obstacle;
     }
   }
   for (const auto& [a, b] : scene_.hand->collision_pairs) {
-    const auto& sa = surfaces_.links[static_cast<std::size_t>(a)];
-    const auto& sb = surfaces_.links[static_cast<std::size_t>(b)];
+    const auto& sa = surfaces_->links[static_cast<std::size_t>(a)];
+    const auto& sb = surfaces_->links[static_cast<std::size_t>(b)];
     const Pose X_AB = X_OL[static_cast<std::size_t>(a)].inverse() * X_OL[static_cast<std::size_t>(b)];
     if (!spheres_apart(sa.bound, sb.bound, X_AB) && intersects(sa.bvh, sb.bvh, X_AB))
       return Legality::hits_itself;
@@ -263,9 +276,9 @@ double CollisionModel::deepest_penetration(const std::vector<Pose>& X_OL, const 
   double deepest = 0.0;
   const auto add = [&](const ObjectModel& solid, const DistanceField& field, std::size_t link,
                        const Pose& X_SL, double clear) {
-    const ObjectOverlap o = overlap(solid.bvh, field, surfaces_.links[link], X_SL, clear);
+    const ObjectOverlap o = overlap(solid.bvh, field, surfaces_->links[link], X_SL, clear);
     if (o.crosses || o.contained)
-      deepest = std::max(deepest, penetration(solid.bvh, solid.mesh, surfaces_.links[link].bvh,
+      deepest = std::max(deepest, penetration(solid.bvh, solid.mesh, surfaces_->links[link].bvh,
                                               hand.links[link].mesh, X_SL));
   };
   for (std::size_t i = 0; i < n; ++i) {
@@ -281,8 +294,8 @@ double CollisionModel::deepest_penetration(const std::vector<Pose>& X_OL, const 
     const auto a = static_cast<std::size_t>(hand.collision_pairs[k][0]);
     const auto b = static_cast<std::size_t>(hand.collision_pairs[k][1]);
     const Pose X_AB = X_OL[a].inverse() * X_OL[b];
-    const auto& sa = surfaces_.links[a];
-    const auto& sb = surfaces_.links[b];
+    const auto& sa = surfaces_->links[a];
+    const auto& sb = surfaces_->links[b];
     if (spheres_apart(sa.bound, sb.bound, X_AB) || !intersects(sa.bvh, sb.bvh, X_AB)) continue;
     deepest = std::max(deepest, penetration(sa.bvh, hand.links[a].mesh, sb.bvh, hand.links[b].mesh, X_AB));
   }
@@ -291,7 +304,7 @@ double CollisionModel::deepest_penetration(const std::vector<Pose>& X_OL, const 
 
 double CollisionModel::distance_to_object(int link, const Pose& X_OL, double exact_below,
                                           PairHint* hint) const {
-  const auto& s = surfaces_.links[static_cast<std::size_t>(link)];
+  const auto& s = surfaces_->links[static_cast<std::size_t>(link)];
   const MeshBvh& bvh = scene_.object->bvh;
   const double bound = bvh.closest_point(X_OL * s.bound.center).distance - s.bound.radius;
   if (bound > exact_below) return bound;
@@ -300,7 +313,7 @@ double CollisionModel::distance_to_object(int link, const Pose& X_OL, double exa
 
 double CollisionModel::distance_to_obstacle(int obstacle, int link, const Pose& X_OL, double exact_below,
                                             PairHint* hint) const {
-  const auto& s = surfaces_.links[static_cast<std::size_t>(link)];
+  const auto& s = surfaces_->links[static_cast<std::size_t>(link)];
   const Obstacle& o = scene_.obstacles[static_cast<std::size_t>(obstacle)];
   const Pose X_BL = o.X_OB.inverse() * X_OL;
   const double bound = o.model->bvh.closest_point(X_BL * s.bound.center).distance - s.bound.radius;
@@ -310,8 +323,8 @@ double CollisionModel::distance_to_obstacle(int obstacle, int link, const Pose& 
 
 double CollisionModel::distance_of_links(int a, int b, const std::vector<Pose>& X_OL, double exact_below,
                                          PairHint* hint) const {
-  const auto& sa = surfaces_.links[static_cast<std::size_t>(a)];
-  const auto& sb = surfaces_.links[static_cast<std::size_t>(b)];
+  const auto& sa = surfaces_->links[static_cast<std::size_t>(a)];
+  const auto& sb = surfaces_->links[static_cast<std::size_t>(b)];
   const Pose X_AB = X_OL[static_cast<std::size_t>(a)].inverse() * X_OL[static_cast<std::size_t>(b)];
   const double bound = (sa.bound.center - X_AB * sb.bound.center).norm() - sa.bound.radius - sb.bound.radius;
   if (bound > exact_below) return bound;

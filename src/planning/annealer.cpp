@@ -3,10 +3,12 @@
 #include "eigengrasp/planning/annealer.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
 #include "eigengrasp/kinematics/forward_kinematics.hpp"
+#include "eigengrasp/planning/search_areas.hpp"
 #include "eigengrasp/planning/temperature_ladder.hpp"
 #include "planning/chain_bests.hpp"
 #include "planning/kernel_workspace.hpp"
@@ -40,6 +42,7 @@ namespace {
 
 constexpr int n_lanes = kernel::n_lanes;
 constexpr int steps_between_exchanges = 2;
+constexpr int all_expansions = 0;  ///< of the polytope: eq. (8) is exact where it counts
 constexpr float no_energy = 1e8f;  ///< of a start: the first legal neighbour is taken
 
 kernel::SearchBox search_box(const SearchSpace& space, std::vector<kernel::Range>& ranges) {
@@ -99,6 +102,7 @@ struct Annealer::Lanes {
   int steps = 0;                            ///< on it
   std::vector<ContactApproach> approaches;
   std::vector<Pose> X_OL;
+  std::array<WeakDirections, n_lanes> weak;  ///< of each chain
 };
 
 Annealer::Annealer(const Task& task, std::uint64_t number, int n_chains, PreGraspList list)
@@ -184,6 +188,7 @@ void Annealer::step(double progress, std::int64_t most) {
       count(verdict);
       --most;
       if (verdict != StateEvaluator::Verdict::legal) continue;
+      if (task_.avoided != nullptr && task_.avoided->holds(lanes_->batch.state(lane))) continue;
       for (int k = first; k < first + each; ++k) {
         copy_lane(lanes_->proposals(), lane, lanes_->current(), k, task_.space.postures.size());
         chains.energy[k] = work.energy[lane];
@@ -208,8 +213,10 @@ void Annealer::judge_in_full() {
       const HandState state = lanes_->batch.state(lane);
       const VecX joints = joint_values(hand, hand_posture(hand, task_.space, state));
       compute_link_poses(hand, joints, hand_pose(hand, state), lanes_->X_OL);
-      work.energy[lane] =
-          static_cast<float>(task_.energy.evaluate(lanes_->X_OL, DistanceSource::field, lanes_->approaches));
+      task_.energy.approach(lanes_->X_OL, DistanceSource::field, lanes_->approaches);
+      WeakDirections& weak = lanes_->weak[static_cast<std::size_t>(lane * n_chains_ / n_lanes)];
+      work.energy[lane] = static_cast<float>(task_.energy.wrench_energy(
+          lanes_->approaches, static_cast<double>(thresholds[lane]), weak, all_expansions));
     }
     if (!(work.energy[lane] < thresholds[lane])) work.verdict[lane] = kernel::energy_too_high;
   }

@@ -82,8 +82,9 @@ PlanResult plan_grasps(const CollisionModel& model, const PlanOptions& options) 
                             options.seed,
                             options.judge_all,
                             options.search == SearchKind::tempering};
-  SearchResult found = options.search == SearchKind::paper ? search_as_the_paper(task, options, budget)
-                                                           : search_in_stages(task, options, budget);
+  SearchResult found = options.search == SearchKind::paper      ? search_as_the_paper(task, options, budget)
+                       : options.search == SearchKind::enhanced ? search_with_children(task, options, budget)
+                                                                : search_in_stages(task, options, budget);
   result.stopped_early = budget.ended_early();
   result.timings.search = found.search_seconds;
   result.timings.anneal = found.anneal_seconds;

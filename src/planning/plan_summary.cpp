@@ -7,9 +7,10 @@
 namespace eigengrasp {
 
 std::string planner_name(const PlanOptions& options) {
-  const char* const search = options.search == SearchKind::paper    ? "annealing"
-                             : options.search == SearchKind::staged ? "staged"
-                                                                    : "tempering";
+  const char* const search = options.search == SearchKind::paper       ? "annealing"
+                             : options.search == SearchKind::staged    ? "staged"
+                             : options.search == SearchKind::tempering ? "tempering"
+                                                                       : "enhanced";
   return fmt::format("{}/{}", search, options.energy == EnergyKind::wrench ? "wrench" : "contact");
 }
 

@@ -60,7 +60,7 @@ std::vector<TestedPreGrasp> test_all(const Annealer::Task& task, std::vector<Pre
   return tested;
 }
 
-void count_outcomes(const std::vector<TestedPreGrasp>& tested, CandidateCounts& counts) {
+void count_outcomes(std::span<const TestedPreGrasp> tested, CandidateCounts& counts) {
   for (const TestedPreGrasp& t : tested) {
     ++counts.tested;
     switch (t.result.outcome) {
@@ -83,12 +83,7 @@ void count_outcomes(const std::vector<TestedPreGrasp>& tested, CandidateCounts& 
 void summarise_annealers(const std::vector<Annealer>& annealers, SearchResult& result) {
   const Annealer* best = nullptr;
   for (const Annealer& annealer : annealers) {
-    const StateCounts& c = annealer.counts();
-    result.states.evaluated += c.evaluated;
-    result.states.legal += c.legal;
-    result.states.hit_object += c.hit_object;
-    result.states.hit_itself += c.hit_itself;
-    result.states.hit_obstacle += c.hit_obstacle;
+    result.states += annealer.counts();
     if (annealer.milestones().empty()) continue;
     if (!best || annealer.milestones().back().energy < best->milestones().back().energy) best = &annealer;
   }

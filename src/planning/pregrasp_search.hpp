@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The eigengrasp authors
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "planning/candidate_test.hpp"
@@ -18,7 +19,7 @@ struct TestedPreGrasp {
 /// What a search found.
 struct SearchResult {
   std::vector<TestedPreGrasp> kept;  ///< distinct, at most options.grasps
-  CandidateCounts candidates;        ///< of those
+  CandidateCounts candidates;        ///< of those; with children: of all
   int closed_on_the_way = 0;         ///< pre-grasps in all
   StateCounts states;
   std::vector<SearchMilestone> milestones;  ///< of the annealer that found the best state
@@ -34,6 +35,10 @@ SearchResult search_as_the_paper(const Annealer::Task& task, const PlanOptions& 
 /// where they stand or, failing that, after the palm has moved up to the object. Those that close are
 /// preferred, and some chains of the next stage begin near them.
 SearchResult search_in_stages(const Annealer::Task& task, const PlanOptions& options, PlanBudget& budget);
+
+/// Section V-B: pre-grasps past a threshold are refined by children, in parallel; the chains keep away from
+/// there afterwards. Ends with options.grasps distinct form-closed grasps, and keeps no others.
+SearchResult search_with_children(const Annealer::Task& task, const PlanOptions& options, PlanBudget& budget);
 
 /// How far apart two pre-grasps of a hand must be.
 Distinctness distinctness_of(const HandModel& hand);
@@ -51,7 +56,7 @@ std::vector<TestedPreGrasp> test_all(const Annealer::Task& task, std::vector<Pre
                                      const PlanOptions& options, double approach);
 
 /// Adds up what became of candidates.
-void count_outcomes(const std::vector<TestedPreGrasp>& tested, CandidateCounts& counts);
+void count_outcomes(std::span<const TestedPreGrasp> tested, CandidateCounts& counts);
 
 /// Sums the states of annealers and takes the milestones of the best one.
 void summarise_annealers(const std::vector<Annealer>& annealers, SearchResult& result);

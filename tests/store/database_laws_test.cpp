@@ -176,6 +176,18 @@ TEST_P(StoreLaws, units_are_claimed_in_order_and_end_once) {
   EXPECT_EQ(store_->claim_unit("a", 60.0), small_glass_);
 }
 
+TEST_P(StoreLaws, all_units_of_an_object_are_claimed_together) {
+  const UnitKey barrett{glass_.object, glass_.scale, "barrett"};
+  EXPECT_EQ(store_->add_units({glass_, plane_, small_glass_, barrett}), 4u);
+  EXPECT_TRUE(store_->finish_unit(done(small_glass_, 1, 1)));
+  EXPECT_EQ(store_->claim_object("a", 60.0), (std::vector<UnitKey>{glass_, barrett}));
+  EXPECT_EQ(store_->claim_object("b", 60.0), std::vector<UnitKey>{plane_});
+  EXPECT_TRUE(store_->claim_object("c", 60.0).empty());
+  EXPECT_TRUE(store_->renew_lease(barrett, "a", -1.0));
+  EXPECT_EQ(store_->claim_object("c", 60.0), std::vector<UnitKey>{barrett});
+  EXPECT_EQ(store_->counts().claimed, 3);
+}
+
 TEST_P(StoreLaws, leases_end_are_renewed_and_given_back) {
   store_->add_units({glass_, plane_});
   ASSERT_EQ(store_->claim_unit("a", 0.15), glass_);

@@ -46,6 +46,10 @@ class GraspStore {
   /// The first unit that waits, or whose lease has ended, is the worker's for some seconds. No two callers
   /// get the same unit while the lease lasts. Cost: does not grow with the number of units that are done.
   virtual std::optional<UnitKey> claim_unit(const std::string& worker, double lease_seconds) = 0;
+  /// The unit that claim_unit would claim, and with it all others of its object that could be claimed, in
+  /// their order: what is prepared of an object serves all of them. Where several claim at the same moment an
+  /// object's units may be shared out among them. Empty: nothing is left to claim.
+  virtual std::vector<UnitKey> claim_object(const std::string& worker, double lease_seconds) = 0;
   /// The lease lasts for so many seconds from now. @returns false where the worker does not hold the unit.
   virtual bool renew_lease(const UnitKey& key, const std::string& worker, double lease_seconds) = 0;
   /// Gives a claimed unit back. @returns false where the worker does not hold the unit.

@@ -52,10 +52,19 @@ class CollisionModel {
     std::shared_ptr<PreparationCache> cache = {};  ///< of fields and spheres; none: all is made anew
   };
 
+  /// What many scenes have in common: the hand's surfaces, made with the cover_tolerance of the options, and
+  /// the object's field.
+  struct Prepared {
+    std::shared_ptr<const HandSurfaces> hand;
+    DistanceField object;
+  };
+
   CollisionModel(Scene scene, const Options& options);
+  /// Of parts that were made before. Cost: nearly none without obstacles.
+  CollisionModel(Scene scene, const Options& options, Prepared prepared);
 
   const Scene& scene() const { return scene_; }
-  const HandSurfaces& surfaces() const { return surfaces_; }
+  const HandSurfaces& surfaces() const { return *surfaces_; }
   const DistanceField& object_field() const { return object_field_; }
   /// Of an obstacle of the scene, in its frame B.
   const DistanceField& obstacle_field(std::size_t obstacle) const { return obstacle_fields_[obstacle]; }
@@ -93,13 +102,14 @@ class CollisionModel {
                            PairHint* hint = nullptr) const;
 
  private:
+  void add_obstacles();
   bool link_hits_field(int link, const Pose& X_OL, const DistanceField& field) const;
   bool link_hits_obstacle(std::size_t obstacle, int link, const Pose& X_BL) const;
   bool links_hit(int a, int b, const std::vector<Pose>& X_OL) const;
 
   Scene scene_;
   Options options_;
-  HandSurfaces surfaces_;
+  std::shared_ptr<const HandSurfaces> surfaces_;
   DistanceField object_field_;
   std::vector<DistanceField> obstacle_fields_;  ///< in the object frame's obstacle frames B
 };

@@ -16,6 +16,8 @@
 
 namespace eigengrasp {
 
+class SearchAreas;
+
 /// Ingber's very fast annealing (1989): T(k) = T0 exp(-c k^(1/D)), with GraspIt!'s numbers, where a search
 /// walks from step first_k to last_k; it serves both as width of the neighbourhood and, over error_scale, as
 /// temperature of acceptance [energy units].
@@ -83,8 +85,9 @@ class alignas(128) Annealer {
     const StateEvaluator& evaluator;
     AnnealingSchedule schedule;
     std::uint64_t seed;
-    bool judge_all = false;  ///< see PlanOptions
-    bool tempered = false;   ///< parallel tempering of sixteen chains instead of cooling
+    bool judge_all = false;                ///< see PlanOptions
+    bool tempered = false;                 ///< parallel tempering of sixteen chains instead of cooling
+    const SearchAreas* avoided = nullptr;  ///< no chain moves into these; none: chains go anywhere
   };
 
   /// @param number of the annealer: with the seed the key of its random streams

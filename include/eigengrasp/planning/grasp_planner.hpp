@@ -31,6 +31,8 @@ enum class SearchKind {
            ///< section IV-D), and pre-grasps that close are preferred
   tempering,  ///< as staged, but the chains of a stage do not cool: they stand on a ladder of temperatures
               ///< and trade them (parallel tempering)
+  enhanced,  ///< section V-B: a parent looks for pre-grasps, each is refined towards form closure by a child,
+             ///< and the parent keeps away from there; until as many grasps as wanted are found
 };
 
 struct PlanProgress {
@@ -52,10 +54,10 @@ struct PlanOptions {
   std::int64_t iterations =
       70000;                ///< states drawn and evaluated, all chains together; 0: until the time limit
   double time_limit = 0.0;  ///< [s]; 0: none. With a time limit the result depends on the machine's speed
-  int grasps = 20;          ///< pre-grasps that are kept, closed and rated
+  int grasps = 20;          ///< pre-grasps that are kept, closed and rated; enhanced: form-closed grasps
   std::uint64_t seed = 1;
   int threads = 0;     ///< 0: all. Does not change the result
-  int chains = 32;     ///< of the staged and the tempering search, side by side; rounded up to whole sixteens
+  int chains = 32;     ///< of all but the paper's search, side by side; rounded up to whole sixteens
   int amplitudes = 2;  ///< eigengrasps that are searched; hand.n_dof(): all degrees of freedom
   EnergyKind energy = EnergyKind::contact;
   SearchKind search = SearchKind::staged;
@@ -89,9 +91,18 @@ struct StateCounts {
   std::int64_t hit_object = 0;
   std::int64_t hit_itself = 0;
   std::int64_t hit_obstacle = 0;
+
+  StateCounts& operator+=(const StateCounts& other) {
+    evaluated += other.evaluated;
+    legal += other.legal;
+    hit_object += other.hit_object;
+    hit_itself += other.hit_itself;
+    hit_obstacle += other.hit_obstacle;
+    return *this;
+  }
 };
 
-/// What became of the pre-grasps that were closed and kept.
+/// What became of the pre-grasps that were closed and kept; of the enhanced search: of all that children had.
 struct CandidateCounts {
   int tested = 0;
   int form_closed = 0;
@@ -120,6 +131,7 @@ struct PlanResult {
   PlanStatus status = PlanStatus::nothing_legal;
   bool stopped_early = false;  ///< by the stop flag, or by the time limit before the iterations were done
   std::vector<Grasp> grasps;   ///< form-closed ones first, by falling epsilon; then the rest by rising energy
+                               ///< (none from the enhanced search)
   StateCounts states;
   CandidateCounts candidates;
   int closed_on_the_way = 0;  ///< pre-grasps in all; the staged search closes more than it keeps
