@@ -35,8 +35,8 @@ double a_unit(std::int64_t n, const BuildProgress& p) {
 
 std::string progress_text(const BuildProgress& p) {
   const double rate = static_cast<double>(p.ended_now) / std::max(p.seconds, 1e-3);
-  return fmt::format("{} of {} units, {:.2f}/s, {} left, {:.1f} grasps a unit, {} failed", p.ended, p.units, rate,
-                     time_text(static_cast<double>(p.units - p.ended) / std::max(rate, 1e-9)),
+  return fmt::format("{} of {} units, {:.2f}/s, {} left, {:.1f} grasps a unit, {} failed", p.ended, p.units,
+                     rate, time_text(static_cast<double>(p.units - p.ended) / std::max(rate, 1e-9)),
                      a_unit(p.grasps_now, p), p.failed_now);
 }
 
@@ -75,19 +75,25 @@ void add_db_build(CLI::App& db, int& exit_code) {
   BuildOptions& options = choice->options;
   CLI::App* build = db.add_subcommand("build", "Plan grasps of all objects of a store");
   build->add_option("store", choice->store, kStoreHelp)->required();
-  build->add_option("--hands", choice->hands,
-                    "Names or files of hands (default: barrett-metal,barrett-rubber,human)")
+  build
+      ->add_option("--hands", choice->hands,
+                   "Names or files of hands (default: barrett-metal,barrett-rubber,human)")
       ->delimiter(',');
-  build->add_option("--scales", options.scales, "Scales, ascending (default: 0.75,1,1.25,1.5)")->delimiter(',');
-  build->add_option("--grasps", options.unit.grasps, "Form-closed grasps of each unit that are enough (default: 15)");
-  build->add_option("--states", options.unit.states, "States of the search after which it gives up (default: 100000)");
+  build->add_option("--scales", options.scales, "Scales, ascending (default: 0.75,1,1.25,1.5)")
+      ->delimiter(',');
+  build->add_option("--grasps", options.unit.grasps,
+                    "Form-closed grasps of each unit that are enough (default: 15)");
+  build->add_option("--states", options.unit.states,
+                    "States of the search after which it gives up (default: 100000)");
   build->add_option("--time-limit", choice->time_limit,
                     "Of a unit, such as 60s or 2min; a safety net, noted beside the unit (default: 60s)");
   build->add_option("--seed", options.unit.seed, "Of all units (default: 1)");
-  build->add_option("--jobs", options.jobs, "Threads, an object each (default: all); does not change the result");
+  build->add_option("--jobs", options.jobs,
+                    "Threads, an object each (default: all); does not change the result");
   build->add_flag("--retry-failed", options.retry_failed, "Let failed units wait again first");
   build->footer(
-      "A unit is an object at a scale with a hand; it is stored when it ends. The same command goes on where it was\n"
+      "A unit is an object at a scale with a hand; it is stored when it ends. The same command goes on where "
+      "it was\n"
       "stopped or killed, and others may build the same store (SQLite, PostgreSQL) at the same time.\n"
       "Examples:\n"
       "  eigengrasp db build sqlite:grasps.db\n"

@@ -10,7 +10,8 @@
 
 namespace eigengrasp::cli {
 
-inline constexpr const char* kStoreHelp = "sqlite:FILE, text:FOLDER or postgresql://USER:PASSWORD@HOST/DATABASE";
+inline constexpr const char* kStoreHelp =
+    "sqlite:FILE, text:FOLDER or postgresql://USER:PASSWORD@HOST/DATABASE";
 
 /// A store that must be there; nothing of it is changed.
 inline std::unique_ptr<GraspStore> open_to_read(const std::string& address) {

@@ -44,8 +44,8 @@ int run_verify(VerifyChoice choice) {
     report = verify_grasps(*store, options);
   }
   for (const UnverifiedGrasp& bad : report.bad)
-    fmt::print("grasp {} of {} at scale {} with {}: {}\n", bad.id, bad.key.object, bad.key.scale, bad.key.hand,
-               bad.reason);
+    fmt::print("grasp {} of {} at scale {} with {}: {}\n", bad.id, bad.key.object, bad.key.scale,
+               bad.key.hand, bad.reason);
   fmt::print("{}: {} grasps simulated again, {} of them do not reproduce", store->place(), report.grasps,
              report.bad.size());
   if (report.foreign > 0) fmt::print("; {} of other programs left out", report.foreign);
@@ -58,10 +58,13 @@ int run_verify(VerifyChoice choice) {
 
 void add_db_verify(CLI::App& db, int& exit_code) {
   auto choice = std::make_shared<VerifyChoice>();
-  CLI::App* verify = db.add_subcommand("verify", "Simulate stored grasps again and say which do not reproduce");
+  CLI::App* verify =
+      db.add_subcommand("verify", "Simulate stored grasps again and say which do not reproduce");
   verify->add_option("store", choice->store, kStoreHelp)->required();
-  verify->add_option("--hands", choice->hands, "Only grasps with these; names or files (default: all)")->delimiter(',');
-  verify->add_option("--objects", choice->options.objects, "Only of these objects (default: all)")->delimiter(',');
+  verify->add_option("--hands", choice->hands, "Only grasps with these; names or files (default: all)")
+      ->delimiter(',');
+  verify->add_option("--objects", choice->options.objects, "Only of these objects (default: all)")
+      ->delimiter(',');
   verify->add_option("--every", choice->options.every, "Only each so many-th grasp of an object and a hand")
       ->check(CLI::PositiveNumber);
   verify->add_option("--jobs", choice->options.threads, "Threads (default: all)");

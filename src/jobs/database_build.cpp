@@ -121,8 +121,8 @@ std::optional<UnitResult> Build::build_unit(const UnitKey& key, std::unique_ptr<
   try {
     if (!object) object = std::make_unique<PreparedObject>(models_.at(key.object));
     const double preparation = watch.seconds();
-    std::optional<UnitResult> result = plan_unit(key, hands_.at(key.hand), *object, options_.unit,
-                                                 options_.stop);
+    std::optional<UnitResult> result =
+        plan_unit(key, hands_.at(key.hand), *object, options_.unit, options_.stop);
     if (result) result->seconds += preparation;
     return result;
   } catch (const std::exception& e) {

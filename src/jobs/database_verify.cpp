@@ -19,9 +19,9 @@ namespace eigengrasp {
 namespace {
 
 /// The same bits are expected; what another compiler or processor rounds is let pass.
-constexpr double same_joint = 1e-6;     // [rad or m]
+constexpr double same_joint = 1e-6;  // [rad or m]
 constexpr double same_epsilon = 1e-6;
-constexpr double same_place = 1e-6;     // [m]
+constexpr double same_place = 1e-6;  // [m]
 
 /// Why a grasp does not come out again; empty where it does.
 std::string difference(const CollisionModel& model, const Grasp& g) {
@@ -68,8 +68,8 @@ class Verification {
 
  private:
   void verify_object(const StoredModel& model, VerifyReport& report);
-  void verify_with(const PreparedHand& hand, const StoredModel& model, std::unique_ptr<PreparedObject>& object,
-                   VerifyReport& report);
+  void verify_with(const PreparedHand& hand, const StoredModel& model,
+                   std::unique_ptr<PreparedObject>& object, VerifyReport& report);
 
   GraspStore& store_;
   const VerifyOptions& options_;

@@ -48,7 +48,8 @@ void add_object(const ObjectRecord& object, GraspStore& store) {
       fail("{}: holds another object '{}'", store.place(), model.name);
     model = there;
     if (std::find(model.scales.begin(), model.scales.end(), object.scale) == model.scales.end())
-      model.scales.insert(std::upper_bound(model.scales.begin(), model.scales.end(), object.scale), object.scale);
+      model.scales.insert(std::upper_bound(model.scales.begin(), model.scales.end(), object.scale),
+                          object.scale);
   }
   store.add_model(model);
 }

@@ -40,8 +40,8 @@ ObjectModel load_stored_object(const StoredModel& model) {
 }  // namespace
 
 PreparedHand prepare_hand(std::shared_ptr<const HandModel> hand, int threads, PreparationCache* cache) {
-  auto surfaces = std::make_shared<const HandSurfaces>(*hand, CollisionModel::Options{}.cover_tolerance,
-                                                       threads, cache);
+  auto surfaces =
+      std::make_shared<const HandSurfaces>(*hand, CollisionModel::Options{}.cover_tolerance, threads, cache);
   return {std::move(hand), std::move(surfaces)};
 }
 

@@ -25,7 +25,7 @@ struct BuildOptions {
   int jobs = 0;  ///< threads, each with an object of its own; 0: all. Does not change the result
   bool retry_failed = false;
   std::shared_ptr<PreparationCache> cache = {};  ///< of what is made of the hands' meshes
-  const StopFlag* stop = nullptr;  ///< ends the units in hand without outcome; they wait again
+  const StopFlag* stop = nullptr;                ///< ends the units in hand without outcome; they wait again
   std::function<void(const BuildProgress&)> progress = {};  ///< called by one thread at a time; may be empty
 
   /// All violations as sentences: name, value, bound.
@@ -38,8 +38,8 @@ struct BuildReport {
 };
 
 /// Plans grasps for every object of the store at every scale with every hand, unit by unit (section V-C). A
-/// unit is stored as soon as it ends: where the program is killed, what is in hand is lost and waits again, at
-/// once if the next call is on the same machine, else when the lease of the claim ends. What waited before
+/// unit is stored as soon as it ends: where the program is killed, what is in hand is lost and waits again,
+/// at once if the next call is on the same machine, else when the lease of the claim ends. What waited before
 /// with other hands or scales is built as well. Any number of calls, on any machines, may build one store. An
 /// object is read and prepared once for all its units. What is stored does not depend on jobs, interruptions
 /// or order.

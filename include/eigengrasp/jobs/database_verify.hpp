@@ -28,8 +28,8 @@ struct VerifyOptions {
 };
 
 struct VerifyReport {
-  std::int64_t grasps = 0;   ///< that were simulated again
-  std::int64_t foreign = 0;  ///< that no planner of ours made: without pre-grasp and named joints
+  std::int64_t grasps = 0;           ///< that were simulated again
+  std::int64_t foreign = 0;          ///< that no planner of ours made: without pre-grasp and named joints
   std::vector<UnverifiedGrasp> bad;  ///< in the order of the store's objects
   bool stopped = false;
 };

@@ -22,9 +22,9 @@ struct UnitOptions {
 /// The source of grasps that are planned here.
 GraspSource builder_source();
 
-/// Plans a unit by the enhanced search, on one thread. Failed, with the reason, where no form-closed grasp was
-/// found. Where the time limit ended the search the reason says so, also beside grasps. Its seconds are those of
-/// the core that this thread had.
+/// Plans a unit by the enhanced search, on one thread. Failed, with the reason, where no form-closed grasp
+/// was found. Where the time limit ended the search the reason says so, also beside grasps. Its seconds are
+/// those of the core that this thread had.
 /// @param stop what was found until then is thrown away @returns none where it was stopped
 std::optional<UnitResult> plan_unit(const UnitKey& key, const PreparedHand& hand, PreparedObject& object,
                                     const UnitOptions& options, const StopFlag* stop);
