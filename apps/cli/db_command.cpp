@@ -8,10 +8,12 @@
 
 #include "cli/add_objects.hpp"
 #include "cli/commands.hpp"
+#include "cli/db_parts.hpp"
 #include "cli/interrupt_guard.hpp"
 #include "cli/scene_options.hpp"
 #include "eigengrasp/core/error.hpp"
 #include "eigengrasp/database/store_copy.hpp"
+#include "eigengrasp/jobs/grasp_file_import.hpp"
 
 namespace eigengrasp::cli {
 
@@ -22,12 +24,6 @@ struct DbChoice {
   std::string store, other, object, hand, tag;
   double scale = 0.0;  ///< 0: all
 };
-
-const char* const kStoreHelp = "sqlite:FILE, text:FOLDER or postgresql://USER:PASSWORD@HOST/DATABASE";
-
-std::unique_ptr<GraspStore> open_to_read(const std::string& address) {
-  return open_store(address, {.access = StoreAccess::read});
-}
 
 void print_info(const DbChoice& choice) {
   const auto store = open_to_read(choice.store);
@@ -93,6 +89,17 @@ void copy(const std::string& from, const std::string& to) {
   fmt::print("\n");
 }
 
+/// What 'plan' wrote, or another store.
+void import_into(const std::string& address, const std::string& from) {
+  std::error_code ec;
+  if (!from.ends_with(".json") || !std::filesystem::is_regular_file(from, ec)) return copy(from, address);
+  const GraspFile file = load_grasps(from);
+  const auto store = open_store(address);
+  const std::size_t n = import_grasp_file(file, *store);
+  fmt::print("{}: {} grasps of {} at scale {} with {} are new\n", store->place(), n, file.object.name,
+             file.object.scale, file.hand.name);
+}
+
 int run_add_objects(const AddObjectsChoice& choice) {
   const InterruptGuard guard;
   const AddObjectsReport r = add_objects(choice, guard.stop_flag());
@@ -137,11 +144,16 @@ void add_copying(CLI::App& db, const std::shared_ptr<DbChoice>& choice) {
   out->footer(rule + "Example:\n  eigengrasp db export sqlite:grasps.db text:grasps");
   out->callback([choice] { copy(choice->store, choice->other); });
 
-  CLI::App* in =
-      add_part(db, *choice, "import", "Copy another store into this one, which is made where missing");
-  in->add_option("source", choice->other, "Store to read from: as STORE")->required();
-  in->footer(rule + "Example:\n  eigengrasp db import postgresql://me@localhost/grasps text:grasps");
-  in->callback([choice] { copy(choice->other, choice->store); });
+  CLI::App* in = add_part(db, *choice, "import",
+                          "Copy another store, or a grasps.json, into this one; made where missing");
+  in->add_option("source", choice->other,
+                 "Store to read from: as STORE; or a grasps.json of 'eigengrasp plan'")
+      ->required();
+  in->footer(rule +
+             "Examples:\n"
+             "  eigengrasp db import postgresql://me@localhost/grasps text:grasps\n"
+             "  eigengrasp db import sqlite:grasps.db out/glass-human/grasps.json");
+  in->callback([choice] { import_into(choice->store, choice->other); });
 }
 
 void add_adding(CLI::App& db, int& exit_code) {
@@ -176,16 +188,22 @@ void add_adding(CLI::App& db, int& exit_code) {
 }  // namespace
 
 void add_db_command(CLI::App& app, int& exit_code) {
-  CLI::App* db = app.add_subcommand("db", "Stores of grasps: what is in them, copying, adding objects");
+  CLI::App* db =
+      app.add_subcommand("db", "Stores of grasps: adding objects, building, looking, verifying, copying");
   db->require_subcommand(1);
   db->footer(
       "A STORE is sqlite:FILE, text:FOLDER or postgresql://USER:PASSWORD@HOST/DATABASE.\n"
       "Examples:\n"
       "  eigengrasp db add-objects sqlite:grasps.db meshes --units mm\n"
+      "  eigengrasp db build sqlite:grasps.db --hands human,barrett-rubber\n"
       "  eigengrasp db info sqlite:grasps.db\n"
       "  eigengrasp db export sqlite:grasps.db text:grasps");
   auto choice = std::make_shared<DbChoice>();
   add_adding(*db, exit_code);
+  add_db_build(*db, exit_code);
+  add_db_status(*db);
+  add_db_stats(*db);
+  add_db_verify(*db, exit_code);
   add_reading(*db, choice);
   add_copying(*db, choice);
 }

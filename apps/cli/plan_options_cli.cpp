@@ -48,18 +48,18 @@ void add_planner_options(CLI::App& command, PlannerChoice& choice) {
   add_wrench_options(command, choice);
 }
 
-namespace {
-
-double seconds(const std::string& text) {
+double parse_seconds(const std::string& option, const std::string& text) {
   double value = 0.0;
   const char* const last = text.data() + text.size();
   const auto [end, error] = std::from_chars(text.data(), last, value);
   const std::string unit(end, last);
   const double factor = unit.empty() || unit == "s" ? 1.0 : unit == "ms" ? 1e-3 : unit == "min" ? 60.0 : 0.0;
   if (error != std::errc() || factor == 0.0 || !std::isfinite(value) || value <= 0.0)
-    fail("--time is '{}', expected a positive time such as 2s, 500ms or 1min", text);
+    fail("{} is '{}', expected a positive time such as 2s, 500ms or 1min", option, text);
   return factor * value;
 }
+
+namespace {
 
 int amplitude_count(const std::string& text, const HandModel& hand) {
   if (text.empty()) return std::min(2, hand.n_dof());
@@ -96,7 +96,7 @@ PlanOptions understand(const PlannerChoice& choice, const HandModel& hand) {
   }
   if (choice.true_cone) o.cone = ConeModel::exact;
   if (!choice.time.empty()) {
-    o.time_limit = seconds(choice.time);
+    o.time_limit = parse_seconds("--time", choice.time);
     if (!choice.iterations_given) o.iterations = 0;
   }
   o.amplitudes = amplitude_count(choice.amplitudes, hand);

@@ -29,6 +29,8 @@ void add_planner_options(CLI::App& command, PlannerChoice& choice);
 PlanOptions understand(const PlannerChoice& choice, const HandModel& hand);
 
 /// @throws Error with the first option that is out of its bounds.
+/// A positive time such as 2s, 500ms or 1min [s]. @throws Error that names the option
+double parse_seconds(const std::string& option, const std::string& text);
 void require_sound(const PlanOptions& options, const HandModel& hand);
 
 }  // namespace eigengrasp::cli

@@ -16,7 +16,8 @@ struct ChildResult {
 };
 
 /// Energy of eq. (8) of a pre-grasp, from the object's field.
-double compute_wrench_energy(const CollisionModel& model, const GraspEnergy& energy, const PreGrasp& pregrasp);
+double compute_wrench_energy(const CollisionModel& model, const GraspEnergy& energy,
+                             const PreGrasp& pregrasp);
 
 /// Section V-B: develops a pre-grasp into form closure. It is closed where it stands, then after the palm has
 /// moved up to the object; where neither holds, a short annealing with fine steps about it looks for better

@@ -61,7 +61,8 @@ class EnhancedSearch {
     if (budget_.ended() || kept_.size() >= wanted()) return true;
     if (budget_.repeats()) return false;
     const bool hopeless = kept_.empty() && n_children_ >= hopeless_children;
-    return hopeless || n_children_ >= children_a_grasp * wanted() + hopeless_children || spent() >= options_.iterations;
+    return hopeless || n_children_ >= children_a_grasp * wanted() + hopeless_children ||
+           spent() >= options_.iterations;
   }
   std::size_t wanted() const { return static_cast<std::size_t>(options_.grasps); }
   std::int64_t spent() const {
@@ -84,7 +85,7 @@ class EnhancedSearch {
   ChildSearch children_;
   std::vector<Annealer> annealers_;
   std::size_t n_children_ = 0;
-  std::vector<TestedPreGrasp> kept_;    ///< form-closed and distinct
+  std::vector<TestedPreGrasp> kept_;  ///< form-closed and distinct
   SearchResult result_;
 };
 

@@ -56,6 +56,7 @@ double ExpandingPolytope::probe(const Vec6& u, Vec6& w) {
 
 DistanceBounds ExpandingPolytope::compute_distance(const WrenchSupport& set, const ExpansionGoal& goal) {
   set_ = &set;
+  whole_ = false;
   scale_ = set.scale();
   tolerance_ = std::max(goal.tolerance, 0.0);
   n_expansions_ = n_created_ = 0;
@@ -81,6 +82,79 @@ DistanceBounds ExpandingPolytope::compute_distance(const WrenchSupport& set, con
     // A facet that the set does not reach over is part of the set's own boundary; it stays, but is done.
     if (compute_height(facet, w) > kOutward * scale_) expand(least.facet, w);
   }
+}
+
+double ExpandingPolytope::compute_volume(const WrenchSupport& set) {
+  set_ = &set;
+  whole_ = true;
+  scale_ = set.scale();
+  n_expansions_ = n_created_ = 0;
+  if (!(scale_ > 0.0) || !build_any_simplex()) return 0.0;
+  make_simplex_facets();
+  Candidate least;
+  Vec6 w;
+  while (pop_least(least)) {
+    if (n_created_ > kMaxFacets) return std::numeric_limits<double>::quiet_NaN();
+    Facet& facet = facets_[static_cast<std::size_t>(least.facet)];
+    if (plane_error(facet) > kPlaneDrift * scale_) refine(facet);
+    set_->support(normal(facet), w);
+    if (compute_height(facet, w) > kOutward * scale_) expand(least.facet, w);
+  }
+  return sum_volume();
+}
+
+// As build_simplex, but wherever the origin is: always the point farthest from the affine hull so far.
+bool ExpandingPolytope::build_any_simplex() {
+  vertices_.clear();
+  std::array<Vec6, kDim> basis;
+  Vec6 w;
+  set_->support(Vec6::Unit(0), w);
+  vertices_.push_back(w);
+  for (std::size_t n = 0; n < kDim; ++n) {
+    Vec6 best = Vec6::Zero();
+    double widest = kFlat * scale_;
+    for (int axis = 0; axis < kDim; ++axis) {
+      Vec6 u = Vec6::Unit(axis);
+      for (int pass = 0; pass < 2; ++pass)
+        for (std::size_t k = 0; k < n; ++k) u -= basis[k].dot(u) * basis[k];
+      if (u.norm() < 0.1) continue;
+      u.normalize();
+      for (const double sign : {1.0, -1.0}) {
+        set_->support(sign * u, w);
+        const double width = sign * u.dot(w - vertices_[0]);
+        if (width <= widest) continue;
+        widest = width;
+        best = w;
+      }
+    }
+    if (best.isZero()) return false;
+    Vec6 direction = best - vertices_[0];
+    for (int pass = 0; pass < 2; ++pass)
+      for (std::size_t k = 0; k < n; ++k) direction -= basis[k].dot(direction) * basis[k];
+    basis[n] = direction.normalized();
+    vertices_.push_back(best);
+  }
+  return true;
+}
+
+// Seen from the middle of the first simplex.
+Eigen::Matrix<double, 6, 6> ExpandingPolytope::corners(const Facet& facet) const {
+  Vec6 middle = Vec6::Zero();
+  for (std::size_t i = 0; i <= kDim; ++i) middle += vertices_[i] / (kDim + 1.0);
+  Eigen::Matrix<double, kDim, kDim> m;
+  for (std::size_t i = 0; i < kDim; ++i)
+    m.col(static_cast<int>(i)) = vertices_[static_cast<std::size_t>(facet.vertex[i])] - middle;
+  return m;
+}
+
+// Every facet with the middle is a simplex, counted by its orientation, so that slivers that fold over
+// cancel.
+double ExpandingPolytope::sum_volume() const {
+  constexpr double factorial_of_6 = 720.0;
+  double sum = 0.0;
+  for (const Facet& f : facets_)
+    if (f.serial != 0) sum += f.plane[7] * corners(f).partialPivLu().determinant();
+  return std::abs(sum) / factorial_of_6;
 }
 
 bool ExpandingPolytope::build_simplex() {
@@ -155,7 +229,6 @@ void ExpandingPolytope::make_simplex_facets() {
     const double length = inverse.row(i).head<6>().norm();
     for (int k = 0; k < 6; ++k) f.plane[static_cast<std::size_t>(k)] = -inverse(i, k) / length;
     f.plane[6] = inverse(i, 6) / length;
-    f.plane[7] = 0.0;
     std::size_t slot = 0;
     for (int v = 0; v < 7; ++v) {
       if (v == i) continue;
@@ -163,6 +236,8 @@ void ExpandingPolytope::make_simplex_facets() {
       // The facet opposite of vertex v has number v and keeps vertex i in the slot that leaves out v.
       f.across[slot++] = link(v, i < v ? i : i - 1);
     }
+    // Leaving out the next vertex turns the order round.
+    f.plane[7] = i % 2 == 0 ? 1.0 : -1.0;
   }
   for (int i = 0; i < 7; ++i) push(i);
 }
@@ -185,7 +260,7 @@ std::int32_t ExpandingPolytope::allocate_facet() {
 
 void ExpandingPolytope::push(std::int32_t facet) {
   const Facet& f = facets_[static_cast<std::size_t>(facet)];
-  if (!(f.plane[6] < upper_ - slack())) return;
+  if (!whole_ && !(f.plane[6] < upper_ - slack())) return;
   queue_.push_back({f.plane[6], facet, f.serial});
   std::push_heap(queue_.begin(), queue_.end());
 }
@@ -252,7 +327,7 @@ std::int32_t ExpandingPolytope::make_facet(const HorizonRidge& ridge, std::int32
     made.plane[k] = share_hidden * hidden.plane[k] + share_visible * visible.plane[k];
     if (k < 6) squared += made.plane[k] * made.plane[k];
   }
-  made.plane[7] = 0.0;
+  made.plane[7] = visible.plane[7];  // the apex takes the place of a vertex
   const double factor = 1.0 / std::sqrt(squared);
   for (std::size_t k = 0; k < 7; ++k) made.plane[k] *= factor;
   made.vertex = visible.vertex;

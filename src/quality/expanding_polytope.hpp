@@ -44,6 +44,11 @@ class ExpandingPolytope {
  public:
   DistanceBounds compute_distance(const WrenchSupport& set, const ExpansionGoal& goal);
 
+  /// Volume of the set where it is the hull of finitely many points: the polytope grows over all its facets
+  /// until it is the set. The origin may be anywhere. 0 where the set is flat, NaN where the work limit was
+  /// reached first.
+  double compute_volume(const WrenchSupport& set);
+
   /// Counters of the last call.
   std::size_t n_expansions() const { return n_expansions_; }
   std::size_t n_facets() const { return n_created_; }
@@ -52,7 +57,8 @@ class ExpandingPolytope {
   static constexpr int kDim = 6;
 
   struct alignas(64) Facet {
-    std::array<double, 8> plane;  // unit normal, offset, 0: normal . x <= offset inside
+    // Unit normal, offset: normal . x <= offset inside; and the orientation of the vertices' order, +-1.
+    std::array<double, 8> plane;
     std::array<std::int32_t, kDim> vertex;
     std::array<std::int32_t, kDim> across;  // what lies across the ridge without the vertex of the slot
     double height;                          // of the vertex in hand, computed in step seen
@@ -79,6 +85,9 @@ class ExpandingPolytope {
   void make_simplex_facets();
   bool pop_least(Candidate& least);
   void push(std::int32_t facet);
+  bool build_any_simplex();
+  Eigen::Matrix<double, kDim, kDim> corners(const Facet& facet) const;
+  double sum_volume() const;
   void expand(std::int32_t seed, const Vec6& w);
   void find_visible(std::int32_t seed, const Vec6& w);
   std::int32_t make_facet(const HorizonRidge& ridge, std::int32_t vertex);
@@ -94,6 +103,7 @@ class ExpandingPolytope {
   double upper_ = 0.0;
   Vec6 weakest_ = Vec6::Zero();
   double tolerance_ = 0.0;
+  bool whole_ = false;  // every facet is to be expanded, not only the nearest ones
   std::uint32_t step_ = 0;
   std::uint32_t serial_ = 0;
   std::size_t n_expansions_ = 0;

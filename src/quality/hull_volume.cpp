@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
 #include <Eigen/Eigenvalues>
+#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <vector>
 
 #include "eigengrasp/quality/wrench_space.hpp"
+#include "quality/expanding_polytope.hpp"
+#include "quality/wrench_support.hpp"
 
 extern "C" {
 #include <libqhull_r/qhull_ra.h>
@@ -115,6 +118,12 @@ std::vector<Vec6> keep_corners(std::vector<Vec6> points) {
 }  // namespace
 
 double compute_hull_volume(std::span<const Vec6> wrenches) {
+  if (is_flat(wrenches)) return 0.0;
+  thread_local detail::PointSupport points;
+  thread_local detail::ExpandingPolytope polytope;
+  points.assign(wrenches);
+  const double volume = polytope.compute_volume(points);
+  if (std::isfinite(volume)) return volume;
   const QhullRun run(wrenches);
   return run.ok() ? run.volume() : 0.0;
 }

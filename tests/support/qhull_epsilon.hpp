@@ -56,4 +56,24 @@ inline double epsilon_by_qhull(std::span<const Vec6> wrenches) {
   return least < std::numeric_limits<double>::infinity() ? std::max(0.0, least) : 0.0;
 }
 
+/// Volume of the convex hull of wrenches, joggled by 1e-10; 0 where Qhull fails.
+inline double volume_by_qhull(std::span<const Vec6> wrenches) {
+  std::vector<double> coordinates;
+  for (const Vec6& w : wrenches) coordinates.insert(coordinates.end(), w.data(), w.data() + 6);
+  FILE* silent = std::fopen("/dev/null", "w");
+  qhT qhull;
+  qh_zero(&qhull, silent);
+  std::string command = "qhull QJ1e-10 Pp FA";
+  const bool ok = qh_new_qhull(&qhull, 6, static_cast<int>(wrenches.size()), coordinates.data(), False,
+                               command.data(), nullptr, silent) == 0;
+  const double volume = ok ? qhull.totvol : 0.0;
+  qhull.NOerrexit = True;
+  qh_freeqhull(&qhull, !qh_ALL);
+  int n_blocks = 0;
+  int n_bytes = 0;
+  qh_memfreeshort(&qhull, &n_blocks, &n_bytes);
+  std::fclose(silent);
+  return volume;
+}
+
 }  // namespace eigengrasp::testing

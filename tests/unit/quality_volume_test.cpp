@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "support/qhull_epsilon.hpp"
 #include "support/random_contacts.hpp"
 
 namespace eigengrasp {
@@ -80,6 +81,16 @@ TEST(WrenchSpaceVolume, LinfIsTheVolumeOfTheMinkowskiSum) {
   const double expected = compute_hull_volume(sum);
   EXPECT_GT(expected, 0.0);
   EXPECT_NEAR(compute_volume(contacts, options), expected, 1e-7 * expected);
+}
+
+TEST(WrenchSpaceVolume, AgreesWithQhullOnGraspsOfManyContacts) {
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    const auto wrenches = testing::edge_wrenches(
+        testing::random_contacts(4 + static_cast<int>(seed), 0.4, 0.0, seed), testing::hand_options());
+    const double expected = testing::volume_by_qhull(wrenches);
+    ASSERT_GT(expected, 0.0);
+    EXPECT_NEAR(compute_hull_volume(wrenches), expected, 1e-7 * expected) << "seed " << seed;
+  }
 }
 
 }  // namespace

@@ -77,9 +77,9 @@ WrenchSpaceQuality estimate_epsilon(std::span<const Vec6> wrenches, double epsil
 /// epsilon_min / 1000 of epsilon_min may be decided either way.
 bool has_form_closure(std::span<const ContactPoint> contacts, const WrenchSpaceOptions& options);
 
-/// Volume of the convex hull of the wrenches in six dimensions, to about 1e-8 of its value (Qhull, joggled by
-/// 1e-10: its merging of coplanar facets loses whole parts of such hulls); 0 where they are degenerate: flat
-/// to 1e-7 of their extent. Prints nothing. Cost: 10-100 ms.
+/// Volume of the convex hull of the wrenches in six dimensions, to about 1e-8 of its value (a polytope grown
+/// to the whole hull; Qhull, joggled by 1e-10, where that takes too many facets); 0 where they are
+/// degenerate: flat to 1e-7 of their extent. Prints nothing. Cost: 0.2-5 ms.
 double compute_hull_volume(std::span<const Vec6> wrenches);
 
 /// Volume of the wrench space of the contacts, from the edges of their cones whatever options.cone says;

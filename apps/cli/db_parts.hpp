@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The eigengrasp authors
+#pragma once
+
+#include <CLI/App.hpp>
+#include <memory>
+#include <string>
+
+#include "eigengrasp/database/grasp_store.hpp"
+
+namespace eigengrasp::cli {
+
+inline constexpr const char* kStoreHelp =
+    "sqlite:FILE, text:FOLDER or postgresql://USER:PASSWORD@HOST/DATABASE";
+
+/// A store that must be there; nothing of it is changed.
+inline std::unique_ptr<GraspStore> open_to_read(const std::string& address) {
+  return open_store(address, {.access = StoreAccess::read});
+}
+
+// Each adds a command of 'eigengrasp db'.
+void add_db_build(CLI::App& db, int& exit_code);
+void add_db_status(CLI::App& db);
+void add_db_stats(CLI::App& db);
+void add_db_verify(CLI::App& db, int& exit_code);
+
+}  // namespace eigengrasp::cli

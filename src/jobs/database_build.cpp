@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The eigengrasp authors
+#include "eigengrasp/jobs/database_build.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <map>
+#include <mutex>
+#include <set>
+
+#include "eigengrasp/core/error.hpp"
+#include "eigengrasp/core/stop_watch.hpp"
+#include "eigengrasp/jobs/worker_name.hpp"
+#include "jobs/core_watch.hpp"
+
+namespace eigengrasp {
+
+std::vector<std::string> BuildOptions::validate() const {
+  std::vector<std::string> violations = unit.validate();
+  if (hands.empty()) violations.emplace_back("hands is empty, expected at least one");
+  if (scales.empty()) violations.emplace_back("scales is empty, expected at least one");
+  double last = 0.0;
+  for (const double scale : scales) {
+    if (!(scale > last) || !std::isfinite(scale))
+      violations.push_back(
+          fmt::format("scales holds {} behind {}, expected ascending numbers above 0", scale, last));
+    last = scale;
+  }
+  if (jobs < 0 || jobs > 4096)
+    violations.push_back(fmt::format("jobs is {}, expected 0 (all) to 4096", jobs));
+  for (const auto& hand : hands)
+    for (const std::string& v : PlanOptions{.amplitudes = std::min(2, hand->n_dof())}.validate(*hand))
+      violations.push_back(v);
+  return violations;
+}
+
+namespace {
+
+class Build {
+ public:
+  Build(GraspStore& store, const BuildOptions& options) : store_(store), options_(options) {
+    for (const StoredModel& m : store.models()) models_.emplace(m.name, m);
+  }
+
+  BuildReport run();
+
+ private:
+  void register_work();
+  void give_back_of_the_dead();
+  void require_hands();
+  void work(int thread);
+  void build_object(const std::vector<UnitKey>& keys, const std::string& worker);
+  std::optional<UnitResult> build_unit(const UnitKey& key, std::unique_ptr<PreparedObject>& object);
+  void count(const UnitResult& result, bool stored);
+  bool stopped() const { return options_.stop != nullptr && options_.stop->stop_requested(); }
+  /// A unit takes no more than its time limit and the preparation of its object.
+  double lease_seconds() const { return 3.0 * options_.unit.time_limit + 120.0; }
+
+  GraspStore& store_;
+  const BuildOptions& options_;
+  std::map<std::string, StoredModel> models_;
+  std::map<std::string, PreparedHand> hands_;
+  std::atomic<bool> broken_{false};  ///< the store, for one of the threads
+  std::mutex counting_;
+  BuildProgress progress_;
+  StopWatch watch_;
+};
+
+/// Hands, the source and all units that are not there yet: those of an object together.
+void Build::register_work() {
+  std::vector<UnitKey> keys;
+  for (const auto& hand : options_.hands) store_.add_hand(hand_record(*hand));
+  store_.add_source(builder_source());
+  for (StoredModel model : store_.models()) {
+    std::set<double> scales(model.scales.begin(), model.scales.end());
+    scales.insert(options_.scales.begin(), options_.scales.end());
+    if (scales.size() > model.scales.size()) {
+      model.scales.assign(scales.begin(), scales.end());
+      store_.add_model(model);
+    }
+    for (const double scale : options_.scales)
+      for (const auto& hand : options_.hands) keys.push_back({model.name, scale, hand->name});
+  }
+  store_.add_units(keys);
+  if (options_.retry_failed) store_.reopen_failed_units();
+}
+
+void Build::give_back_of_the_dead() {
+  for (const StoredUnit& u : store_.units())
+    if (u.state == UnitState::claimed && has_ended_here(u.worker)) store_.release_unit(u.key, u.worker);
+}
+
+void Build::require_hands() {
+  for (const StoredUnit& u : store_.units()) {
+    const bool ended = u.state == UnitState::done || u.state == UnitState::failed;
+    if (!ended && !hands_.contains(u.key.hand))
+      fail("{}: units wait for the hand '{}', which is not among the given ones", store_.place(), u.key.hand);
+    ++progress_.units;
+    if (ended) ++progress_.ended;
+  }
+}
+
+void Build::count(const UnitResult& result, bool stored) {
+  const std::scoped_lock lock(counting_);
+  ++progress_.ended;
+  if (stored) {
+    ++progress_.ended_now;
+    progress_.grasps_now += static_cast<std::int64_t>(result.grasps.size());
+    if (result.state == UnitState::failed) ++progress_.failed_now;
+  }
+  progress_.seconds = watch_.seconds();
+  if (options_.progress) options_.progress(progress_);
+}
+
+/// What cannot be planned fails with the reason; only a store that fails ends the build.
+std::optional<UnitResult> Build::build_unit(const UnitKey& key, std::unique_ptr<PreparedObject>& object) {
+  const CoreWatch watch;
+  try {
+    if (!object) object = std::make_unique<PreparedObject>(models_.at(key.object));
+    const double preparation = watch.seconds();
+    std::optional<UnitResult> result =
+        plan_unit(key, hands_.at(key.hand), *object, options_.unit, options_.stop);
+    if (result) result->seconds += preparation;
+    return result;
+  } catch (const std::exception& e) {
+    UnitResult failed;
+    failed.key = key;
+    failed.state = UnitState::failed;
+    failed.reason = e.what();
+    failed.seconds = watch.seconds();
+    return failed;
+  }
+}
+
+void Build::build_object(const std::vector<UnitKey>& keys, const std::string& worker) {
+  std::unique_ptr<PreparedObject> object;
+  StopWatch since_renewal;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (since_renewal.seconds() > lease_seconds() / 4.0) {
+      for (std::size_t k = i; k < keys.size(); ++k) store_.renew_lease(keys[k], worker, lease_seconds());
+      since_renewal.lap();
+    }
+    std::optional<UnitResult> result;
+    if (!stopped() && !broken_) result = build_unit(keys[i], object);
+    if (!result) {
+      store_.release_unit(keys[i], worker);
+      continue;
+    }
+    result->worker = worker;
+    count(*result, store_.finish_unit(*result));
+  }
+}
+
+void Build::work(int thread) {
+  const std::string worker = worker_name(thread);
+  try {
+    while (!stopped() && !broken_) {
+      const std::vector<UnitKey> keys = store_.claim_object(worker, lease_seconds());
+      if (keys.empty()) return;
+      build_object(keys, worker);
+    }
+  } catch (...) {
+    broken_ = true;
+    throw;
+  }
+}
+
+BuildReport Build::run() {
+  register_work();
+  give_back_of_the_dead();
+  for (const auto& hand : options_.hands)
+    hands_[hand->name] = prepare_hand(hand, options_.jobs, options_.cache.get());
+  require_hands();
+  const int jobs = options_.jobs > 0 ? options_.jobs : hardware_threads();
+  parallel_for(static_cast<std::size_t>(jobs), jobs, [&](std::size_t i, int) { work(static_cast<int>(i)); });
+  progress_.seconds = watch_.seconds();
+  return {progress_, stopped()};
+}
+
+}  // namespace
+
+BuildReport build_database(GraspStore& store, const BuildOptions& options) {
+  if (const auto violations = options.validate(); !violations.empty()) throw Error(violations.front());
+  return Build(store, options).run();
+}
+
+}  // namespace eigengrasp
