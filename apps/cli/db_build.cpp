@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include "cli/commands.hpp"
 #include "cli/db_parts.hpp"
@@ -19,6 +20,7 @@ struct BuildChoice {
   std::string store;
   std::vector<std::string> hands = {"barrett-metal", "barrett-rubber", "human"};
   std::string time_limit = "60s";
+  std::optional<std::string> sbatch_options;  ///< none: build here
   BuildOptions options;
 };
 
@@ -40,6 +42,16 @@ std::string progress_text(const BuildProgress& p) {
                      a_unit(p.grasps_now, p), p.failed_now);
 }
 
+/// The options of the jobs of an array, which plan as this call would.
+std::vector<std::string> words_of_jobs(const BuildChoice& choice) {
+  const UnitOptions& unit = choice.options.unit;
+  return {"--hands",      fmt::format("{}", fmt::join(choice.hands, ",")),
+          "--grasps",     std::to_string(unit.grasps),
+          "--states",     std::to_string(unit.states),
+          "--time-limit", choice.time_limit,
+          "--seed",       std::to_string(unit.seed)};
+}
+
 int run_build(BuildChoice choice) {
   BuildOptions& options = choice.options;
   options.unit.time_limit = parse_seconds("--time-limit", choice.time_limit);
@@ -48,6 +60,11 @@ int run_build(BuildChoice choice) {
   const auto store = open_store(choice.store);
   if (store->counts().models == 0)
     fail("{}: holds no objects; 'eigengrasp db add-objects' adds them", store->place());
+  if (choice.sbatch_options) {
+    add_work(*store, options);
+    submit_to_slurm(choice.store, {*choice.sbatch_options, words_of_jobs(choice)});
+    return success;
+  }
   options.cache = user_cache();
   const InterruptGuard guard;
   options.stop = &guard.stop_flag();
@@ -91,6 +108,15 @@ void add_db_build(CLI::App& db, int& exit_code) {
   build->add_option("--jobs", options.jobs,
                     "Threads, an object each (default: all); does not change the result");
   build->add_flag("--retry-failed", options.retry_failed, "Let failed units wait again first");
+  build->add_flag("--only-waiting", options.only_waiting,
+                  "Build what waits in the store and add nothing to it; for workers that join a build");
+  build
+      ->add_option(
+          "--slurm", choice->sbatch_options,
+          "Submit a job array to Slurm instead, with these options of sbatch in one word, or none; the "
+          "store must be PostgreSQL")
+      ->expected(0, 1)
+      ->default_str("");
   build->footer(
       "A unit is an object at a scale with a hand; it is stored when it ends. The same command goes on where "
       "it was\n"
@@ -98,6 +124,8 @@ void add_db_build(CLI::App& db, int& exit_code) {
       "Examples:\n"
       "  eigengrasp db build sqlite:grasps.db\n"
       "  eigengrasp db build postgresql://me@localhost/grasps --hands human,robonaut --grasps 25 --jobs 8\n"
+      "  eigengrasp db build postgresql://me@server/grasps --slurm '--partition=cpu --array=1-64 "
+      "--time=8:00:00'\n"
       "Exit code: 0, 1 stopped by Ctrl-C (what has ended is stored), 2 bad input.");
   build->callback([choice, &exit_code] { exit_code = run_build(*choice); });
 }

@@ -5,6 +5,7 @@
 #include <CLI/App.hpp>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "eigengrasp/database/grasp_store.hpp"
 
@@ -17,6 +18,15 @@ inline constexpr const char* kStoreHelp =
 inline std::unique_ptr<GraspStore> open_to_read(const std::string& address) {
   return open_store(address, {.access = StoreAccess::read});
 }
+
+/// What a build on a Slurm cluster is given.
+struct SlurmChoice {
+  std::string sbatch_options;              ///< such as "--partition=cpu --array=1-64"
+  std::vector<std::string> build_options;  ///< of the jobs' `db build --only-waiting`
+};
+/// Submits a job array whose jobs build what waits in a store. @throws Error where sbatch is missing or
+/// refuses
+void submit_to_slurm(const std::string& store, const SlurmChoice& choice);
 
 // Each adds a command of 'eigengrasp db'.
 void add_db_build(CLI::App& db, int& exit_code);

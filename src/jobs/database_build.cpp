@@ -6,10 +6,12 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <map>
 #include <mutex>
 #include <set>
+#include <thread>
 
 #include "eigengrasp/core/error.hpp"
 #include "eigengrasp/core/stop_watch.hpp"
@@ -37,6 +39,25 @@ std::vector<std::string> BuildOptions::validate() const {
   return violations;
 }
 
+/// Hands, the source and all units that are not there yet: those of an object together.
+void add_work(GraspStore& store, const BuildOptions& options) {
+  std::vector<UnitKey> keys;
+  for (const auto& hand : options.hands) store.add_hand(hand_record(*hand));
+  store.add_source(builder_source());
+  for (StoredModel model : store.models()) {
+    std::set<double> scales(model.scales.begin(), model.scales.end());
+    scales.insert(options.scales.begin(), options.scales.end());
+    if (scales.size() > model.scales.size()) {
+      model.scales.assign(scales.begin(), scales.end());
+      store.add_model(model);
+    }
+    for (const double scale : options.scales)
+      for (const auto& hand : options.hands) keys.push_back({model.name, scale, hand->name});
+  }
+  store.add_units(keys);
+  if (options.retry_failed) store.reopen_failed_units();
+}
+
 namespace {
 
 class Build {
@@ -48,7 +69,7 @@ class Build {
   BuildReport run();
 
  private:
-  void register_work();
+  bool wait_for_others();
   void give_back_of_the_dead();
   void require_hands();
   void work(int thread);
@@ -68,25 +89,6 @@ class Build {
   BuildProgress progress_;
   StopWatch watch_;
 };
-
-/// Hands, the source and all units that are not there yet: those of an object together.
-void Build::register_work() {
-  std::vector<UnitKey> keys;
-  for (const auto& hand : options_.hands) store_.add_hand(hand_record(*hand));
-  store_.add_source(builder_source());
-  for (StoredModel model : store_.models()) {
-    std::set<double> scales(model.scales.begin(), model.scales.end());
-    scales.insert(options_.scales.begin(), options_.scales.end());
-    if (scales.size() > model.scales.size()) {
-      model.scales.assign(scales.begin(), scales.end());
-      store_.add_model(model);
-    }
-    for (const double scale : options_.scales)
-      for (const auto& hand : options_.hands) keys.push_back({model.name, scale, hand->name});
-  }
-  store_.add_units(keys);
-  if (options_.retry_failed) store_.reopen_failed_units();
-}
 
 void Build::give_back_of_the_dead() {
   for (const StoredUnit& u : store_.units())
@@ -154,13 +156,26 @@ void Build::build_object(const std::vector<UnitKey>& keys, const std::string& wo
   }
 }
 
+/// What others hold comes back when they give it up or their leases end. @returns false where nothing is held
+bool Build::wait_for_others() {
+  constexpr int naps = 20;
+  constexpr auto nap = std::chrono::milliseconds(100);
+  const StoreCounts counts = store_.counts();
+  if (counts.claimed == 0) return counts.waiting > 0;
+  for (int i = 0; i < naps && !stopped() && !broken_; ++i) std::this_thread::sleep_for(nap);
+  return true;
+}
+
 void Build::work(int thread) {
   const std::string worker = worker_name(thread);
   try {
     while (!stopped() && !broken_) {
       const std::vector<UnitKey> keys = store_.claim_object(worker, lease_seconds());
-      if (keys.empty()) return;
-      build_object(keys, worker);
+      if (!keys.empty()) {
+        build_object(keys, worker);
+      } else if (!wait_for_others()) {
+        return;
+      }
     }
   } catch (...) {
     broken_ = true;
@@ -169,7 +184,7 @@ void Build::work(int thread) {
 }
 
 BuildReport Build::run() {
-  register_work();
+  if (!options_.only_waiting) add_work(store_, options_);
   give_back_of_the_dead();
   for (const auto& hand : options_.hands)
     hands_[hand->name] = prepare_hand(hand, options_.jobs, options_.cache.get());

@@ -24,6 +24,7 @@ struct BuildOptions {
   UnitOptions unit;
   int jobs = 0;  ///< threads, each with an object of its own; 0: all. Does not change the result
   bool retry_failed = false;
+  bool only_waiting = false;  ///< adds nothing to the store: units that wait are built, of whatever scale
   std::shared_ptr<PreparationCache> cache = {};  ///< of what is made of the hands' meshes
   const StopFlag* stop = nullptr;                ///< ends the units in hand without outcome; they wait again
   std::function<void(const BuildProgress&)> progress = {};  ///< called by one thread at a time; may be empty
@@ -37,12 +38,16 @@ struct BuildReport {
   bool stopped = false;
 };
 
+/// Adds the hands and the units that a build of these options works on, where they are not there yet.
+void add_work(GraspStore& store, const BuildOptions& options);
+
 /// Plans grasps for every object of the store at every scale with every hand, unit by unit (section V-C). A
 /// unit is stored as soon as it ends: where the program is killed, what is in hand is lost and waits again,
 /// at once if the next call is on the same machine, else when the lease of the claim ends. What waited before
 /// with other hands or scales is built as well. Any number of calls, on any machines, may build one store. An
-/// object is read and prepared once for all its units. What is stored does not depend on jobs, interruptions
-/// or order.
+/// object is read and prepared once for all its units. A call that finds nothing to claim waits for what
+/// others hold, as their leases may end: when it returns, every unit has ended. What is stored does not
+/// depend on jobs, interruptions or order.
 /// @throws Error where the options are not sound, the store cannot be written, or units wait for a hand that
 /// is not given
 BuildReport build_database(GraspStore& store, const BuildOptions& options);
