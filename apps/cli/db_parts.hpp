@@ -33,5 +33,7 @@ void add_db_build(CLI::App& db, int& exit_code);
 void add_db_status(CLI::App& db);
 void add_db_stats(CLI::App& db);
 void add_db_verify(CLI::App& db, int& exit_code);
+/// A command of 'eigengrasp reproduce'.
+void add_reproduce_table3(CLI::App& reproduce);
 
 }  // namespace eigengrasp::cli

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "cli/commands.hpp"
+#include "cli/db_parts.hpp"
 #include "cli/interrupt_guard.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/scene_options.hpp"
@@ -151,6 +152,7 @@ void add_reproduce_command(CLI::App& app, int& exit_code) {
       "  eigengrasp reproduce table2 --quick --out trial\n"
       "  eigengrasp reproduce table2 --graspit ~/graspit/models\n"
       "Exit code: 0, 1 stopped by Ctrl-C (nothing is written), 2 bad input.");
+  add_reproduce_table3(*reproduce);
   table2->callback([table2, choice, &exit_code] { exit_code = reproduce_table2(*table2, *choice); });
 }
 

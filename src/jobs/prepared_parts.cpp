@@ -18,7 +18,8 @@ CollisionModel::Options one_thread() {
   return options;
 }
 
-/// The object at scale 1, in metres.
+}  // namespace
+
 ObjectModel load_stored_object(const StoredModel& model) {
   if (content_hash(read_text_file(model.geometry_path)) != model.content_hash)
     fail("{}: has changed since it was added to the store", model.geometry_path);
@@ -36,8 +37,6 @@ ObjectModel load_stored_object(const StoredModel& model) {
   object.material = in_units.material;
   return object;
 }
-
-}  // namespace
 
 PreparedHand prepare_hand(std::shared_ptr<const HandModel> hand, int threads, PreparationCache* cache) {
   auto surfaces =

@@ -22,11 +22,14 @@ PreparedHand prepare_hand(std::shared_ptr<const HandModel> hand, int threads, Pr
 /// What a store keeps of a hand.
 StoredHand hand_record(const HandModel& hand);
 
+/// An object of a store at scale 1, in metres. @throws Error where the geometry is missing, damaged, without
+/// area, or another one than was added to the store
+ObjectModel load_stored_object(const StoredModel& model);
+
 /// An object of a store, read and prepared once for all its scales and hands. For one thread.
 class PreparedObject {
  public:
-  /// Cost: 0.2-1 s, for the distance field. @throws Error where the geometry is missing, damaged, without
-  /// area, or another one than was added to the store
+  /// Cost: 0.2-1 s, for the distance field. @throws as load_stored_object
   explicit PreparedObject(const StoredModel& model);
 
   /// The hand and the object at a scale. Cost: a hierarchy of the scaled mesh, the first time.
