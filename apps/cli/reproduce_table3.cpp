@@ -35,7 +35,8 @@ std::vector<std::shared_ptr<const HandModel>> known_hands(GraspStore& store) {
 
 void reproduce_table3(const Table3Choice& choice) {
   const auto store = open_to_read(choice.store);
-  if (store->counts().grasps == 0) fail("{}: holds no grasps; 'eigengrasp db build' plans them", store->place());
+  if (store->counts().grasps == 0)
+    fail("{}: holds no grasps; 'eigengrasp db build' plans them", store->place());
   require_writable_folder(choice.out);
   const Table3 table = make_table3(*store);
   std::vector<ResultPicture> pictures;
@@ -46,8 +47,8 @@ void reproduce_table3(const Table3Choice& choice) {
   write_file_atomically(choice.out / "grasp-database.json", table3_json(table, record));
   write_file_atomically(choice.out / "grasp-database.md", markdown);
   for (const HandStatistics& h : table.statistics.hands)
-    fmt::print("{:<16} {:>8} form-closed grasps of {} units; the paper {}\n", h.hand, h.form_closed, h.done + h.failed,
-               paper_grasps(h.hand));
+    fmt::print("{:<16} {:>8} form-closed grasps of {} units; the paper {}\n", h.hand, h.form_closed,
+               h.done + h.failed, paper_grasps(h.hand));
   fmt::print("written to {}\n", (choice.out / "grasp-database.md").string());
 }
 
@@ -55,7 +56,8 @@ void reproduce_table3(const Table3Choice& choice) {
 
 void add_reproduce_table3(CLI::App& reproduce) {
   auto choice = std::make_shared<Table3Choice>();
-  CLI::App* table3 = reproduce.add_subcommand("table3", "Table III: the grasp database, from a store that was built");
+  CLI::App* table3 =
+      reproduce.add_subcommand("table3", "Table III: the grasp database, from a store that was built");
   table3->add_option("store", choice->store, kStoreHelp)->required();
   table3->add_option("--out", choice->out, "Folder for the results")->capture_default_str();
   table3->add_option("--threads", choice->threads, "0: all");

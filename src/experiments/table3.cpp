@@ -38,9 +38,9 @@ std::string counts_table(const Table3& table) {
                     paper_text(h.hand), fmt::format("{}", h.failed),
                     fmt::format("{:.2f}", per(h.seconds, h.done + h.failed)),
                     fmt::format("{:.2f}", h.median_seconds)});
-  return markdown_table({"hand", "units", "form-closed grasps", "paper", "units without", "core-seconds a unit",
-                         "median"},
-                        rows);
+  return markdown_table(
+      {"hand", "units", "form-closed grasps", "paper", "units without", "core-seconds a unit", "median"},
+      rows);
 }
 
 std::string epsilon_table(const Table3& table) {
@@ -49,7 +49,8 @@ std::string epsilon_table(const Table3& table) {
   std::vector<std::vector<std::string>> rows;
   for (const HandStatistics& h : table.statistics.hands) {
     rows.push_back({h.hand});
-    for (const double share : shares) rows.back().push_back(fmt::format("{:.4f}", quantile(h.epsilons, share)));
+    for (const double share : shares)
+      rows.back().push_back(fmt::format("{:.4f}", quantile(h.epsilons, share)));
   }
   return markdown_table(headings, rows);
 }
@@ -59,8 +60,9 @@ std::string failures_text(const Table3& table) {
   if (s.failures.empty()) return "Every unit that has ended has a grasp.\n";
   std::vector<std::vector<std::string>> rows;
   for (const FailureStatistics& f : s.failures)
-    rows.push_back({f.kind, fmt::format("{}", f.units),
-                    fmt::format("{} at {} with {}: {}", f.example.object, f.example.scale, f.example.hand, f.reason)});
+    rows.push_back(
+        {f.kind, fmt::format("{}", f.units),
+         fmt::format("{} at {} with {}: {}", f.example.object, f.example.scale, f.example.hand, f.reason)});
   return markdown_table({"why", "units", "such as"}, rows);
 }
 
@@ -91,19 +93,23 @@ std::string table3_markdown(const Table3& table, const ExperimentRecord& record,
     grasps += h.form_closed;
   }
   std::string text = fmt::format(
-      "# The grasp database\n\nTable III of the paper: form-closure grasps of {} objects at {} sizes in all. The "
-      "paper's has 238,737, of 7,256\nobjects at four sizes, made in a month on six multi-core computers.\n\n{}\n"
+      "# The grasp database\n\nTable III of the paper: form-closure grasps of {} objects at {} sizes in all. "
+      "The "
+      "paper's has 238,737, of 7,256\nobjects at four sizes, made in a month on six multi-core "
+      "computers.\n\n{}\n"
       "{} grasps in {:.2f} core-hours; {} objects without any grasp; {} units ended at the time limit.\n",
-      s.objects, table.objects_at_scales, counts_table(table), grasps, seconds / 3600.0, s.objects_without_grasps,
-      s.limited);
+      s.objects, table.objects_at_scales, counts_table(table), grasps, seconds / 3600.0,
+      s.objects_without_grasps, s.limited);
   text += fmt::format("\n## Units without grasps\n{}", failures_text(table));
   text += fmt::format("\n## Epsilon\nOf the form-closed grasps, below which a share of them lies.\n\n{}",
                       epsilon_table(table));
   if (!pictures.empty()) text += "\n## Pictures\n";
-  for (const ResultPicture& p : pictures) text += fmt::format("{}\n\n![{}]({})\n\n", p.caption, p.caption, p.file);
-  text += fmt::format("\n## How it was made\n`{}`, eigengrasp {}, {}. Core-seconds hold the share of reading and "
-                      "preparing the object.\n",
-                      record.command, record.version, describe(record.machine));
+  for (const ResultPicture& p : pictures)
+    text += fmt::format("{}\n\n![{}]({})\n\n", p.caption, p.caption, p.file);
+  text += fmt::format(
+      "\n## How it was made\n`{}`, eigengrasp {}, {}. Core-seconds hold the share of reading and "
+      "preparing the object.\n",
+      record.command, record.version, describe(record.machine));
   return text;
 }
 

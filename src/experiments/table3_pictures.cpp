@@ -31,12 +31,12 @@ Extremes read_extremes(GraspStore& store, const std::string& hand) {
   Extremes found;
   for (const StoredModel& model : store.models()) {
     std::vector<StoredGrasp> grasps = store.grasps(model.name, hand);
-    std::erase_if(grasps, [](const StoredGrasp& g) { return !g.grasp.form_closure || g.grasp.grasp_joints.empty(); });
+    std::erase_if(grasps,
+                  [](const StoredGrasp& g) { return !g.grasp.form_closure || g.grasp.grasp_joints.empty(); });
     if (grasps.empty()) continue;
-    const auto [low, high] =
-        std::minmax_element(grasps.begin(), grasps.end(), [](const StoredGrasp& a, const StoredGrasp& b) {
-          return a.grasp.epsilon < b.grasp.epsilon;
-        });
+    const auto [low, high] = std::minmax_element(
+        grasps.begin(), grasps.end(),
+        [](const StoredGrasp& a, const StoredGrasp& b) { return a.grasp.epsilon < b.grasp.epsilon; });
     found.best.push_back({model, high->grasp});
     found.worst.push_back({model, low->grasp});
   }
@@ -57,7 +57,8 @@ std::vector<Shown> lowest(std::vector<Shown> all) {
   return all;
 }
 
-void add_tile(PictureGrid& grid, const Shown& shown, const std::shared_ptr<const HandModel>& hand, int threads) {
+void add_tile(PictureGrid& grid, const Shown& shown, const std::shared_ptr<const HandModel>& hand,
+              int threads) {
   Scene scene;
   scene.hand = hand;
   try {
@@ -72,9 +73,11 @@ void add_tile(PictureGrid& grid, const Shown& shown, const std::shared_ptr<const
   const Vec3 direction = pick_view(drawn, TilePainter::contact_points(shown.grasp), Vec3::UnitZ());
   painter.add_contacts(drawn, shown.grasp);
   grid.tiles.push_back(painter.draw(drawn, framed, direction));
-  grid.titles.push_back(shown.model.tags.empty() ? shown.model.name
-                                                 : fmt::format("{}: {}", shown.model.name, shown.model.tags.back()));
-  grid.captions.push_back(fmt::format("scale {}, \u03b5 {:.4f}", shown.grasp.object_scale, shown.grasp.epsilon));
+  grid.titles.push_back(shown.model.tags.empty()
+                            ? shown.model.name
+                            : fmt::format("{}: {}", shown.model.name, shown.model.tags.back()));
+  grid.captions.push_back(
+      fmt::format("scale {}, \u03b5 {:.4f}", shown.grasp.object_scale, shown.grasp.epsilon));
 }
 
 void add_picture(const std::vector<Shown>& shown, const std::shared_ptr<const HandModel>& hand, int threads,
@@ -95,7 +98,8 @@ std::vector<ResultPicture> table3_pictures(GraspStore& store,
   std::vector<ResultPicture> pictures;
   for (const auto& hand : hands) {
     const Extremes found = read_extremes(store, hand->name);
-    add_picture(spread(found.best), hand, threads, "good", "the best grasp of objects all over the store", pictures);
+    add_picture(spread(found.best), hand, threads, "good", "the best grasp of objects all over the store",
+                pictures);
     add_picture(lowest(found.worst), hand, threads, "odd", "the grasps of the lowest epsilon", pictures);
   }
   return pictures;

@@ -26,7 +26,8 @@ std::int64_t paper_grasps(const std::string& hand);
 inline constexpr std::int64_t kPaperUnits = 7256;
 
 /// Grasps of good and of low quality for each given hand: of objects all over the store the best grasp, and
-/// the six grasps of the lowest epsilon, of different objects. Objects whose geometry is missing are left out.
+/// the six grasps of the lowest epsilon, of different objects. Objects whose geometry is missing are left
+/// out.
 /// @param threads 0: all. Cost: all grasps are read; 10 s for 250,000
 std::vector<ResultPicture> table3_pictures(GraspStore& store,
                                            const std::vector<std::shared_ptr<const HandModel>>& hands,
