@@ -24,9 +24,16 @@ constexpr int most_jobs = 1000;  // of an array, where the user does not say
 
 /// As one word of a shell.
 std::string quoted(const std::string& word) {
-  std::string out = "'";
-  for (const char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return out + "'";
+  std::string out(1, '\'');
+  for (const char c : word) {
+    if (c == '\'') {
+      out.append("'\\''");
+    } else {
+      out.push_back(c);
+    }
+  }
+  out.push_back('\'');
+  return out;
 }
 
 /// The output of a command that ended well; none otherwise.
@@ -57,7 +64,7 @@ std::string script(const SlurmChoice& choice) {
       "#SBATCH --output=eigengrasp-%A_%a.log\n"
       "exec {} db build \"${}\" --only-waiting --jobs \"${{SLURM_CPUS_PER_TASK:-1}}\"",
       jobs_of_cluster(), quoted(std::filesystem::read_symlink("/proc/self/exe").string()), kStoreVariable);
-  for (const std::string& word : choice.build_options) text += " " + quoted(word);
+  for (const std::string& word : choice.build_options) text.append(1, ' ').append(quoted(word));
   return text + "\n";
 }
 
