@@ -59,8 +59,7 @@ std::vector<PointPair> nearest_pairs(const AlignmentShape& model, const Alignmen
   if (one_sided) return pairs;
   for (const Vec3& p : target.points) {
     const Vec3 fixed = target.center + target.size * p;
-    const Vec3 in_model =
-        alignment.center_model + R.transpose() * (fixed - alignment.center_target) / s;
+    const Vec3 in_model = alignment.center_model + R.transpose() * (fixed - alignment.center_target) / s;
     const ClosestPoint near = model.bvh.closest_point(in_model);
     const Vec3 moved = alignment.center_target + s * (R * (near.point - alignment.center_model));
     pairs.push_back({moved, fixed, R * triangle_normal(model.bvh, near.triangle)});

@@ -12,7 +12,7 @@ const std::vector<double>& descriptor_weights() {
     for (int n = 0; n <= kDescriptorOrder; ++n)
       for (int l = n % 2; l <= n; l += 2) {
         const double u = n / 20.0 - 0.5, v = l / 20.0 - 0.5;
-        all.push_back(std::exp(1.39 * u + 0.59 * v + 1.66 * u * u + 0.74 * u * v + 1.6 * v * v));
+        all.push_back(std::exp(1.2 * u + 2.4 * v + 0.4 * u * u - 1.1 * u * v + 2.5 * v * v));
       }
     return all;
   }();

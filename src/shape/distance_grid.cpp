@@ -53,14 +53,14 @@ void DistanceGrid::add_piece(const Piece& t) {
   }
 }
 
-/// Into how many pieces, of a cell at most, a length is cut. Shapes far larger than the ball are not looked at
-/// that closely.
+/// Into how many pieces, of a cell at most, a length is cut. Shapes far larger than the ball are not looked
+/// at that closely.
 int DistanceGrid::steps(double length) const {
   return std::max(1, static_cast<int>(std::ceil(std::min(length / cell(), 50.0 * side_))));
 }
 
-/// One pass over the grid: every cell tries the 13 neighbours that come before it. A neighbour's piece is looked at
-/// only where its foot would be nearer already.
+/// One pass over the grid: every cell tries the 13 neighbours that come before it. A neighbour's piece is
+/// looked at only where its foot would be nearer already.
 void DistanceGrid::spread(int direction) {
   const int count = side_ * side_ * side_;
   for (int k = 0; k < count; ++k) {
@@ -81,7 +81,8 @@ void DistanceGrid::spread(int direction) {
 
 void DistanceGrid::add_surface(const TriangleMesh& mesh, const ShapeBall& ball) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    add_piece({(mesh.corner(t, 0) - ball.center) / ball.radius, (mesh.corner(t, 1) - ball.center) / ball.radius,
+    add_piece({(mesh.corner(t, 0) - ball.center) / ball.radius,
+               (mesh.corner(t, 1) - ball.center) / ball.radius,
                (mesh.corner(t, 2) - ball.center) / ball.radius});
   for (const int direction : {1, -1}) spread(direction);
 }

@@ -11,8 +11,8 @@
 namespace eigengrasp {
 
 /// The cells of a grid over the cube around the unit ball, each with its centre and, in the end, the nearest
-/// point of a surface. Distances are exact about the surface, and elsewhere to the best of the neighbours' nearest
-/// triangles: a hundredth of a cell off.
+/// point of a surface. Distances are exact about the surface, and elsewhere to the best of the neighbours'
+/// nearest triangles: a hundredth of a cell off.
 class DistanceGrid {
  public:
   /// @param reach distances beyond it may come out as infinite
@@ -20,9 +20,7 @@ class DistanceGrid {
 
   int side() const { return side_; }
   double cell() const { return 2.0 / side_; }
-  Vec3 center(int x, int y, int z) const {
-    return Vec3(x + 0.5, y + 0.5, z + 0.5) * cell() - Vec3::Ones();
-  }
+  Vec3 center(int x, int y, int z) const { return Vec3(x + 0.5, y + 0.5, z + 0.5) * cell() - Vec3::Ones(); }
 
   /// Adds a surface, put into the unit ball; parts outside the cube do not count. Cost: about 1 us a small
   /// triangle, and 10 ms for a side of 40.

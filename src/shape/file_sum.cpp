@@ -46,7 +46,8 @@ std::size_t check_file_sum(const std::filesystem::path& file) {
   std::size_t dimension = 0;
   text >> title >> found_version >> dimension >> hash;
   if (!text || title != kTitle || found_version != version || dimension == 0)
-    fail("{}: is no sum of a shape index of version {}; make the index again", sum_of(file).string(), version);
+    fail("{}: is no sum of a shape index of version {}; make the index again", sum_of(file).string(),
+         version);
   if (hash_of_file(file) != hash)
     fail("{}: is damaged or cut (its sum differs from that in {}); make the index again", file.string(),
          sum_of(file).filename().string());

@@ -7,8 +7,6 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "eigengrasp/core/instruction_set.hpp"
-
 namespace eigengrasp {
 
 namespace {
@@ -67,20 +65,20 @@ const Tables& tables_of(int order) {
   return all.at(static_cast<std::size_t>(order));
 }
 
-moment_kernel::AddBlock chosen_kernel() {
+moment_kernel::AddBlock kernel_of([[maybe_unused]] InstructionSet set) {
 #if defined(__x86_64__)
-  if (best_instruction_set() == InstructionSet::avx512) return moment_kernel::add_block_avx512;
-  if (best_instruction_set() == InstructionSet::avx2) return moment_kernel::add_block_avx2;
+  if (set == InstructionSet::avx512) return moment_kernel::add_block_avx512;
+  if (set == InstructionSet::avx2) return moment_kernel::add_block_avx2;
 #endif
   return moment_kernel::add_block_baseline;
 }
 
 }  // namespace
 
-MomentSum::MomentSum(int order)
+MomentSum::MomentSum(int order, InstructionSet set)
     : order_(order),
       tables_(&tables_of(order)),
-      add_block_(chosen_kernel()),
+      add_block_(kernel_of(set)),
       block_(std::make_unique<moment_kernel::PointBlock>()),
       workspace_(std::make_unique<moment_kernel::Workspace>()),
       sums_(ZernikeMoments(order).values().size()) {}

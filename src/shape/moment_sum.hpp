@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "eigengrasp/core/instruction_set.hpp"
 #include "eigengrasp/shape/zernike_moments.hpp"
 #include "shape/kernel/moment_tables.hpp"
 
@@ -14,7 +15,9 @@ namespace eigengrasp {
 /// instruction set. Cost: about 0.1 us a point of order 20.
 class MomentSum {
  public:
-  explicit MomentSum(int order);
+  explicit MomentSum(int order) : MomentSum(order, best_instruction_set()) {}
+  /// @pre the processor has these instructions
+  MomentSum(int order, InstructionSet set);
 
   /// @pre p in the unit ball (up to rounding)
   void add(const Vec3& p, double weight) {

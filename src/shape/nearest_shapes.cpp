@@ -11,8 +11,7 @@
 
 namespace eigengrasp {
 
-NearestShapes::NearestShapes(std::size_t dimension)
-    : dimension_(dimension), stride_(row_stride(dimension)) {
+NearestShapes::NearestShapes(std::size_t dimension) : dimension_(dimension), stride_(row_stride(dimension)) {
   if (dimension == 0) throw std::logic_error("descriptors without numbers");
 }
 

@@ -73,8 +73,8 @@ Alignment align_by_icp(const AlignmentShape& model, const AlignmentShape& target
   const double reach = common_reach(model, target);
   best.method = kIcpAlignment;
   best.candidates = static_cast<int>(all.size());
-  best.overlap = correlation(overlap_moments(model, best.R, reach),
-                             overlap_moments(target, Mat3::Identity(), reach));
+  best.overlap =
+      correlation(overlap_moments(model, best.R, reach), overlap_moments(target, Mat3::Identity(), reach));
   return best;
 }
 

@@ -15,8 +15,9 @@ namespace eigengrasp {
 
 namespace {
 
-constexpr double surface_width = 0.09;  // of the radius
+constexpr double surface_width = 0.14;  // of the radius
 constexpr double sizes_a_radius = 2.0;
+constexpr double farthest_share = 0.9;  // of the radius, for solids: the grid has no cells at the very rim
 
 /// Refuses what has no area, or all in a plane where that is not allowed.
 void require_spread(const SurfaceSpread& spread, bool allow_flat) {
@@ -34,8 +35,7 @@ void require_spread(const SurfaceSpread& spread, bool allow_flat) {
 ShapeDescriptor describe_surface(const TriangleMesh& mesh, const SurfaceSpread& spread) {
   ShapeDescriptor d;
   d.ball = {spread.center, sizes_a_radius * std::sqrt(spread.covariance.trace())};
-  d.invariants =
-      compute_thick_surface_moments(mesh, d.ball, surface_width, kDescriptorOrder).invariants();
+  d.invariants = compute_thick_surface_moments(mesh, d.ball, surface_width, kDescriptorOrder).invariants();
   return d;
 }
 
@@ -52,24 +52,15 @@ ShapeDescriptor describe_solid(const TriangleMesh& mesh, const DescriptorOptions
   const MeshReport report = inspect_mesh(mesh);
   d.route = report.solid() && options.closed_by_moments ? DescriptorRoute::moments : DescriptorRoute::voxels;
   d.ball.center = report.center_of_mass();
-  d.ball.radius = farthest_vertex(mesh, d.ball.center);
-  d.invariants = (d.route == DescriptorRoute::moments
-                      ? compute_solid_moments(mesh, d.ball, kDescriptorOrder)
-                      : compute_filled_moments(mesh, d.ball, kDescriptorOrder))
-                     .invariants();
+  d.ball.radius = farthest_vertex(mesh, d.ball.center) / farthest_share;
+  d.invariants =
+      (d.route == DescriptorRoute::moments ? compute_solid_moments(mesh, d.ball, kDescriptorOrder)
+                                           : compute_filled_moments(mesh, d.ball, kDescriptorOrder))
+          .invariants();
   constexpr double nothing = 1e-6;  // of the ball
   if (d.invariants.front() < nothing)
     fail("the shape encloses no space; describe it by its surface (function \"surface\")");
   return d;
-}
-
-void set_values(ShapeDescriptor& d) {
-  const std::vector<double>& weights = descriptor_weights();
-  double sum = 0.0;
-  for (std::size_t i = 0; i < kDescriptorSize; ++i) sum += std::pow(weights[i] * d.invariants[i], 2);
-  if (!std::isfinite(sum) || !(sum > 0.0)) fail("the shape's numbers are too large or too small to describe it");
-  for (std::size_t i = 0; i < kDescriptorSize; ++i)
-    d.values.push_back(static_cast<float>(weights[i] * d.invariants[i] / std::sqrt(sum)));
 }
 
 }  // namespace
@@ -94,8 +85,29 @@ ShapeDescriptor compute_shape_descriptor(const TriangleMesh& mesh, const Descrip
   require_spread(spread, options.allow_flat);
   ShapeDescriptor d = options.function == ShapeFunction::surface ? describe_surface(mesh, spread)
                                                                  : describe_solid(mesh, options);
-  d.function = options.function;
-  set_values(d);
+  return make_shape_descriptor(std::move(d.invariants), options.function, d.route, d.ball);
+}
+
+ShapeDescriptor make_shape_descriptor(std::vector<double> invariants, ShapeFunction function,
+                                      DescriptorRoute route, const ShapeBall& ball) {
+  if (invariants.size() != kDescriptorSize)
+    fail("a shape descriptor has {} invariants, expected {}", invariants.size(), kDescriptorSize);
+  const std::vector<double>& weights = descriptor_weights();
+  double sum = 0.0;
+  for (std::size_t i = 0; i < kDescriptorSize; ++i) {
+    if (!(invariants[i] >= 0.0))
+      fail("a shape descriptor has the invariant {}, expected 0 or more", invariants[i]);
+    sum += std::pow(weights[i] * invariants[i], 2);
+  }
+  if (!std::isfinite(sum) || !(sum > 0.0))
+    fail("a shape descriptor has invariants that are not finite, or all 0");
+  ShapeDescriptor d;
+  d.function = function;
+  d.route = route;
+  d.ball = ball;
+  for (std::size_t i = 0; i < kDescriptorSize; ++i)
+    d.values.push_back(static_cast<float>(weights[i] * invariants[i] / std::sqrt(sum)));
+  d.invariants = std::move(invariants);
   return d;
 }
 

@@ -54,8 +54,8 @@ SurfaceSpread surface_spread(const TriangleMesh& mesh) {
     const Vec3 sum = a + b + c;
     s.area += area;
     first += area / 3.0 * sum;
-    second += area / 12.0 *
-              (sum * sum.transpose() + a * a.transpose() + b * b.transpose() + c * c.transpose());
+    second +=
+        area / 12.0 * (sum * sum.transpose() + a * a.transpose() + b * b.transpose() + c * c.transpose());
   }
   if (s.area == 0.0) return s;
   const Vec3 mean = first / s.area;

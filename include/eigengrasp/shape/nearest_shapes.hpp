@@ -28,8 +28,9 @@ class NearestShapes {
   std::size_t dimension() const { return dimension_; }
   std::vector<float> descriptor(std::size_t index) const;
 
-  /// The count nearest ones (all, where there are fewer), nearest first; of equally near ones that of the lower
-  /// index. The same on every processor. Cost: 0.05 us a descriptor of 121 numbers. @throws Error as add
+  /// The count nearest ones (all, where there are fewer), nearest first; of equally near ones that of the
+  /// lower index. The same on every processor. Cost: 0.05 us a descriptor of 121 numbers. @throws Error as
+  /// add
   std::vector<NearShape> find_nearest(const std::vector<float>& descriptor, std::size_t count) const;
 
  private:

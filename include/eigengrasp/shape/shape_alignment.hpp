@@ -14,11 +14,11 @@ namespace eigengrasp {
 /// A shape ready to be aligned with others. Immutable, shared by all threads. All of it is of the surface, so
 /// that closed meshes, soups and scans are treated alike.
 struct AlignmentShape {
-  MeshBvh bvh;                       ///< in the shape's own frame [m]
-  Vec3 center = Vec3::Zero();        ///< area-weighted centre of mass [m]
-  double size = 0.0;                 ///< root of the mean squared distance from the centre [m]
-  Mat3 axes = Mat3::Identity();      ///< principal axes, right-handed; by falling variance
-  Vec3 deviations = Vec3::Zero();    ///< standard deviations along them over the size, falling
+  MeshBvh bvh;                        ///< in the shape's own frame [m]
+  Vec3 center = Vec3::Zero();         ///< area-weighted centre of mass [m]
+  double size = 0.0;                  ///< root of the mean squared distance from the centre [m]
+  Mat3 axes = Mat3::Identity();       ///< principal axes, right-handed; by falling variance
+  Vec3 deviations = Vec3::Zero();     ///< standard deviations along them over the size, falling
   std::vector<Vec3> points, normals;  ///< spread evenly over the area, always the same; (p - center) / size
 };
 
@@ -52,20 +52,20 @@ struct AlignmentOptions {
   double equal_axes = 1.15;  ///< >= 1
   bool match_scale = true;   ///< else both keep their sizes, and Alignment::scale is 1
   // Of icp alone:
-  int seeds = 4;             ///< best rotations that are refined, >= 1
-  int iterations = 12;       ///< of each, >= 1
-  bool one_sided = false;    ///< only from the model to the target: a model that is part of the target
+  int seeds = 4;           ///< best rotations that are refined, >= 1
+  int iterations = 12;     ///< of each, >= 1
+  bool one_sided = false;  ///< only from the model to the target: a model that is part of the target
 };
 
-/// Principal axes upon principal axes, centre upon centre. Axes have no sense of direction: the 4 proper choices
-/// of signs, and up to 24 rotations where axes are about equal, are compared by their overlap. Cost: about 0.2
-/// ms, and 0.5 ms for the distance.
+/// Principal axes upon principal axes, centre upon centre. Axes have no sense of direction: the 4 proper
+/// choices of signs, and up to 24 rotations where axes are about equal, are compared by their overlap. Cost:
+/// about 0.2 ms, and 0.5 ms for the distance.
 Alignment align_by_pca(const AlignmentShape& model, const AlignmentShape& target,
                        const AlignmentOptions& options = {});
 
-/// The best rotations of align_by_pca (with eighth turns where axes are about equal), each refined by iterative
-/// closest points (point to plane, Chen and Medioni 1992); the one with the least distance, which is never
-/// worse than that of align_by_pca. Cost: 5-20 ms.
+/// The best rotations of align_by_pca (with eighth turns where axes are about equal), each refined by
+/// iterative closest points (point to plane, Chen and Medioni 1992); the one with the least distance, which
+/// is never worse than that of align_by_pca. Cost: 5-20 ms.
 Alignment align_by_icp(const AlignmentShape& model, const AlignmentShape& target,
                        const AlignmentOptions& options = {});
 
