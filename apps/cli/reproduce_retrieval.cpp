@@ -43,7 +43,8 @@ void print_result(const PsbRetrieval& result, const RetrievalChoice& choice) {
   for (const RetrievalRow& row : result.rows) {
     const RetrievalMeasures& m = row.measures;
     fmt::print("{:<6}{:<32} {:5.1f} {:5.1f} {:5.1f} {:5.1f} {:5.1f}\n", row.test ? "test" : "train", row.name,
-               100 * m.nearest_neighbor, 100 * m.first_tier, 100 * m.second_tier, 100 * m.e_measure, 100 * m.dcg);
+               100 * m.nearest_neighbor, 100 * m.first_tier, 100 * m.second_tier, 100 * m.e_measure,
+               100 * m.dcg);
   }
   fmt::print("written to {}\n", (choice.out / "psb-retrieval.md").string());
 }
@@ -82,15 +83,16 @@ int reproduce_retrieval(const RetrievalChoice& choice) {
 
 void add_reproduce_retrieval(CLI::App& reproduce, int& exit_code) {
   const auto choice = std::make_shared<RetrievalChoice>();
-  CLI::App* command =
-      reproduce.add_subcommand("psb-retrieval", "How well the shape descriptor finds shapes of the same class");
+  CLI::App* command = reproduce.add_subcommand(
+      "psb-retrieval", "How well the shape descriptor finds shapes of the same class");
   command->add_option("--psb", choice->psb,
                       "Folder of the Princeton Shape Benchmark (default: $EIGENGRASP_DATA/psb_v1)");
   command->add_option("--out", choice->out, "Folder for the results")->capture_default_str();
   command->add_option("--index", choice->index_size,
                       "Also measures the index, over this many descriptors (1000000: 20 minutes)");
   command->add_option("--threads", choice->threads, "0: all; does not change the measures");
-  command->add_flag("!--no-solid", choice->solid, "Leaves out the descriptors of the solid, most of the time");
+  command->add_flag("!--no-solid", choice->solid,
+                    "Leaves out the descriptors of the solid, most of the time");
   command->footer(
       "Writes psb-retrieval.md, psb-retrieval.json and the folder psb-retrieval with a plot.\n"
       "Examples:\n"

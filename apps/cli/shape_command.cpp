@@ -30,7 +30,8 @@ struct ShapeChoice {
 void print_descriptors(const ShapeChoice& choice) {
   const auto all = describe_shapes(choice.shapes, choice.reading);
   if (!choice.json)
-    fmt::print("{:<24} {:<8} {:<8} {:>10}  {}\n", "shape", "of the", "by", "radius mm", "F00 F11 F20 F22 F31 F33");
+    fmt::print("{:<24} {:<8} {:<8} {:>10}  {}\n", "shape", "of the", "by", "radius mm",
+               "F00 F11 F20 F22 F31 F33");
   for (const NamedDescriptor& named : all) {
     if (choice.json) {
       print_line(descriptor_json(named));
@@ -59,7 +60,8 @@ void print_neighbors(const ShapeChoice& choice) {
   for (const NamedDescriptor& query : queries) {
     nlohmann::ordered_json line{{"name", query.name}, {"neighbors", nlohmann::ordered_json::array()}};
     if (!choice.json) fmt::print("{}\n", query.name);
-    for (const NearShape& near : shapes.find_nearest(query.descriptor.values, static_cast<std::size_t>(choice.count))) {
+    for (const NearShape& near :
+         shapes.find_nearest(query.descriptor.values, static_cast<std::size_t>(choice.count))) {
       line["neighbors"].push_back({{"name", among[near.index].name}, {"distance", near.distance}});
       if (!choice.json) fmt::print("  {:<24} {:.4f}\n", among[near.index].name, near.distance);
     }
@@ -97,14 +99,16 @@ void print_alignment(const ShapeChoice& choice) {
   }
   for (int i = 0; i < 4; ++i)
     fmt::print("{:10.6f} {:10.6f} {:10.6f} {:10.6f}\n", X(i, 0), X(i, 1), X(i, 2), X(i, 3));
-  fmt::print("method {}, scale {:.4f}, overlap {:.3f}, distance {:.1f} % of the target's size\n", a.method, a.scale,
-             a.overlap, 100.0 * a.distance);
+  fmt::print("method {}, scale {:.4f}, overlap {:.3f}, distance {:.1f} % of the target's size\n", a.method,
+             a.scale, a.overlap, 100.0 * a.distance);
 }
 
 void add_reading(CLI::App& command, ShapeChoice& choice, bool described) {
-  command.add_option("--units", choice.reading.units, "Of the meshes: m, cm, mm, in (GraspIt! files: mm, else m)");
+  command.add_option("--units", choice.reading.units,
+                     "Of the meshes: m, cm, mm, in (GraspIt! files: mm, else m)");
   if (described) {
-    command.add_option("--function", choice.reading.function, "surface (any mesh) or solid (what it encloses)")
+    command
+        .add_option("--function", choice.reading.function, "surface (any mesh) or solid (what it encloses)")
         ->capture_default_str();
     command.add_option("--threads", choice.reading.threads, "0: all; does not change the result");
   }
@@ -112,7 +116,8 @@ void add_reading(CLI::App& command, ShapeChoice& choice, bool described) {
 }
 
 const char* const kShapesHelp =
-    "Shipped objects' names, mesh files, folders of meshes, or .jsonl files that 'shape describe --json' wrote";
+    "Shipped objects' names, mesh files, folders of meshes, or .jsonl files that 'shape describe --json' "
+    "wrote";
 
 void add_describe(CLI::App& shape, const std::shared_ptr<ShapeChoice>& choice) {
   CLI::App* command = shape.add_subcommand("describe", "3-D Zernike descriptors: 121 numbers a shape");
@@ -141,7 +146,9 @@ void add_neighbors(CLI::App& shape, const std::shared_ptr<ShapeChoice>& choice) 
 
 void add_align(CLI::App& shape, const std::shared_ptr<ShapeChoice>& choice) {
   CLI::App* command = shape.add_subcommand("align", "The pose (and scale) that lays one shape upon another");
-  command->add_option("shapes", choice->shapes, "The shape that is moved, and the target")->required()->expected(2);
+  command->add_option("shapes", choice->shapes, "The shape that is moved, and the target")
+      ->required()
+      ->expected(2);
   command->add_option("--method", choice->method, "pca, or pca-icp (refined by iterative closest points)")
       ->capture_default_str();
   command->add_flag("--keep-scale", choice->keep_scale, "Both keep their sizes");

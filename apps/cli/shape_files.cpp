@@ -23,7 +23,8 @@ std::vector<fs::path> meshes_below(const fs::path& folder) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder))
     if (entry.is_regular_file() && is_mesh_file(entry.path())) files.push_back(entry.path());
-  if (files.empty()) fail("{}: holds no mesh, expected files such as .obj, .stl, .ply or .off", folder.string());
+  if (files.empty())
+    fail("{}: holds no mesh, expected files such as .obj, .stl, .ply or .off", folder.string());
   std::sort(files.begin(), files.end());
   return files;
 }
@@ -56,9 +57,10 @@ NamedDescriptor read_line(const JsonLine& line, const ShapeReading& reading) {
   ball.center = line.vector("center");
   ball.radius = line.number("radius", 1.0);
   const bool moments = text_member(line, "route") == to_string(DescriptorRoute::moments);
-  return {text_member(line, "name"),
-          make_shape_descriptor({invariants.begin(), invariants.end()}, parse_shape_function(reading.function),
-                                moments ? DescriptorRoute::moments : DescriptorRoute::voxels, ball)};
+  return {
+      text_member(line, "name"),
+      make_shape_descriptor({invariants.begin(), invariants.end()}, parse_shape_function(reading.function),
+                            moments ? DescriptorRoute::moments : DescriptorRoute::voxels, ball)};
 }
 
 }  // namespace
@@ -86,12 +88,9 @@ std::vector<NamedDescriptor> describe_shapes(const std::vector<std::string>& sha
 nlohmann::ordered_json descriptor_json(const NamedDescriptor& named) {
   const ShapeDescriptor& d = named.descriptor;
   const Vec3& c = d.ball.center;
-  return {{"name", named.name},
-          {"function", to_string(d.function)},
-          {"route", to_string(d.route)},
-          {"center", {c.x(), c.y(), c.z()}},
-          {"radius", d.ball.radius},
-          {"invariants", d.invariants}};
+  return {{"name", named.name},          {"function", to_string(d.function)},
+          {"route", to_string(d.route)}, {"center", {c.x(), c.y(), c.z()}},
+          {"radius", d.ball.radius},     {"invariants", d.invariants}};
 }
 
 }  // namespace eigengrasp::cli

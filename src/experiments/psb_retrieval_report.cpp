@@ -78,7 +78,8 @@ std::string index_text(const SearchTimes& s) {
     rows.push_back({fmt::format("{}", w.width), fmt::format("{:.2f} ms", 1e3 * w.seconds),
                     fmt::format("{:.4f}", w.recall)});
   return fmt::format(
-             "\n## Index\n\n{} descriptors, each a random mixture of three of the benchmark's; 200 queries made "
+             "\n## Index\n\n{} descriptors, each a random mixture of three of the benchmark's; 200 queries "
+             "made "
              "alike, for the 25 nearest. Made in {:.0f} s.\n\n",
              s.index_size, s.build_seconds) +
          markdown_table({"width of the search", "time of a query", "recall"}, rows);
@@ -96,7 +97,8 @@ LineChart chart_of(const PsbRetrieval& result) {
     curve.dashed = !row.name.ends_with("(default)");
     const auto& precision = row.measures.precision;
     for (std::size_t i = 0; i < precision.size(); ++i)
-      curve.points.emplace_back(static_cast<double>(i + 1) / static_cast<double>(precision.size()), precision[i]);
+      curve.points.emplace_back(static_cast<double>(i + 1) / static_cast<double>(precision.size()),
+                                precision[i]);
     chart.curves.push_back(curve);
   }
   return chart;
@@ -105,20 +107,25 @@ LineChart chart_of(const PsbRetrieval& result) {
 }  // namespace
 
 std::string psb_retrieval_markdown(const PsbRetrieval& result, const ExperimentRecord& record) {
-  std::string page = "# Shapes by their neighbours: 3-D Zernike descriptors on the Princeton Shape Benchmark\n\n";
+  std::string page =
+      "# Shapes by their neighbours: 3-D Zernike descriptors on the Princeton Shape Benchmark\n\n";
   page += fmt::format("Made by `{}`\nwith eigengrasp {} on {}.\n\n", record.command, record.version,
                       describe(record.machine));
   page += targets_table(result);
   page += fmt::format(
-      "\nEvery shape of a half of the base classification is looked up among all others of that half ({} and {} "
-      "queries; {} classified models are missing from the data). Means over the queries in %, defined as in the "
-      "benchmark's paper and program. The weights of the invariants were learned from the training half alone "
+      "\nEvery shape of a half of the base classification is looked up among all others of that half ({} and "
+      "{} "
+      "queries; {} classified models are missing from the data). Means over the queries in %, defined as in "
+      "the "
+      "benchmark's paper and program. The weights of the invariants were learned from the training half "
+      "alone "
       "([how](../theory/zernike.md)). A model that cannot be described in a row's way counts as unlike all "
       "others. Times are medians of whole descriptors while all threads work.\n\n",
       result.rows.front().measures.queries, result.rows.back().measures.queries, result.absent.size());
   page += "## Test half\n\n" + half_table(result, true);
-  page += "\n![Precision over recall](psb-retrieval/precision-recall.png)\n\nPrecision over recall "
-          "([SVG](psb-retrieval/precision-recall.svg)).\n";
+  page +=
+      "\n![Precision over recall](psb-retrieval/precision-recall.png)\n\nPrecision over recall "
+      "([SVG](psb-retrieval/precision-recall.svg)).\n";
   page += "\n## Training half\n\n" + half_table(result, false);
   return page + index_text(result.search);
 }

@@ -14,7 +14,8 @@ constexpr int recalls = 20;
 constexpr std::size_t e_length = 32;
 
 /// Whether the shapes that are nearest to a query, itself left out, are of its class.
-std::vector<bool> ranked_hits(const NearestShapes& shapes, const std::vector<int>& classes, std::size_t query) {
+std::vector<bool> ranked_hits(const NearestShapes& shapes, const std::vector<int>& classes,
+                              std::size_t query) {
   std::vector<bool> hits;
   for (const NearShape& near : shapes.find_nearest(shapes.descriptor(query), shapes.size()))
     if (near.index != query) hits.push_back(classes[near.index] == classes[query]);
@@ -60,12 +61,12 @@ RetrievalMeasures measure_retrieval(const NearestShapes& shapes, const std::vect
   RetrievalMeasures mean;
   mean.precision.assign(recalls, 0.0);
   for (std::size_t query = 0; query < classes.size(); ++query) {
-    const auto members =
-        static_cast<std::size_t>(std::count(classes.begin(), classes.end(), classes[query]));
+    const auto members = static_cast<std::size_t>(std::count(classes.begin(), classes.end(), classes[query]));
     if (members > 2) add_query(mean, ranked_hits(shapes, classes, query), members - 1);
   }
   const double count = std::max(1, mean.queries);
-  for (double* value : {&mean.nearest_neighbor, &mean.first_tier, &mean.second_tier, &mean.e_measure, &mean.dcg})
+  for (double* value :
+       {&mean.nearest_neighbor, &mean.first_tier, &mean.second_tier, &mean.e_measure, &mean.dcg})
     *value /= count;
   for (double& precision : mean.precision) precision /= count;
   return mean;

@@ -61,14 +61,16 @@ double recall(const Found& found, const Found& exact) {
   for (std::size_t i = 0; i < exact.size(); ++i)
     for (const NearShape& near : exact[i]) {
       ++all;
-      hits += static_cast<std::size_t>(
-          std::any_of(found[i].begin(), found[i].end(),
-                      [&](const NearShape& other) { return other.index == near.index; }));
+      hits +=
+          static_cast<std::size_t>(std::any_of(found[i].begin(), found[i].end(), [&](const NearShape& other) {
+            return other.index == near.index;
+          }));
     }
   return static_cast<double>(hits) / static_cast<double>(all);
 }
 
-void measure_index(const NearestShapes& shapes, const NearestShapes& queries, int threads, SearchTimes& times) {
+void measure_index(const NearestShapes& shapes, const NearestShapes& queries, int threads,
+                   SearchTimes& times) {
   Found exact;
   timed(queries, exact, [&](const auto& query) { return shapes.find_nearest(query, neighbors); });
   ShapeIndexOptions options;

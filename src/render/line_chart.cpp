@@ -80,9 +80,8 @@ void draw_y_axis(cairo_t* context, const Frame& f) {
   for (int k = 0; c.y_min + k * step <= c.y_max + 1e-9 * step; ++k) {
     const double value = c.y_min + k * step, y = f.y(value);
     line(context, f.x(c.x_min), y, f.x(c.x_max), y, 0.88);
-    draw_text(
-        context, fmt::format("{:g}", std::round(value / step * 1e6) / 1e6 * step),
-        {.x = left - 8.0, .baseline = y + 4.0, .width = left - 24.0, .font = font, .anchor = 1.0});
+    draw_text(context, fmt::format("{:g}", std::round(value / step * 1e6) / 1e6 * step),
+              {.x = left - 8.0, .baseline = y + 4.0, .width = left - 24.0, .font = font, .anchor = 1.0});
   }
   cairo_save(context);
   cairo_translate(context, 18.0, 0.5 * (f.y(c.y_min) + f.y(c.y_max)));

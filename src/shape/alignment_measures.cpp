@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "shape/moment_sum.hpp"
 
@@ -18,6 +19,19 @@ Vec3 triangle_normal(const MeshBvh& bvh, int t) {
   const Vec3 n = (c.b - c.a).cross(c.c - c.a);
   const double length = n.norm();
   return length > 0.0 ? Vec3(n / length) : Vec3::Zero();
+}
+
+/// A bound on how far p is from a surface that has these points, which makes the exact query quick.
+double nearest_of(const std::vector<Vec3>& points, const Vec3& p) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Vec3& q : points) least = std::min(least, (q - p).squaredNorm());
+  return std::sqrt(least);
+}
+
+ClosestPoint closest(const AlignmentShape& shape, const Vec3& p) {
+  constexpr double rounding = 1e-9;
+  const double bound = nearest_of(shape.points, (p - shape.center) / shape.size) + rounding;
+  return shape.bvh.closest_point(p, bound * (1.0 + rounding) * shape.size);
 }
 
 }  // namespace
@@ -53,14 +67,14 @@ std::vector<PointPair> nearest_pairs(const AlignmentShape& model, const Alignmen
   const double s = alignment.scale;
   for (const Vec3& p : model.points) {
     const Vec3 moved = alignment.center_target + s * model.size * (R * p);
-    const ClosestPoint near = target.bvh.closest_point(moved);
+    const ClosestPoint near = closest(target, moved);
     pairs.push_back({moved, near.point, triangle_normal(target.bvh, near.triangle)});
   }
   if (one_sided) return pairs;
   for (const Vec3& p : target.points) {
     const Vec3 fixed = target.center + target.size * p;
     const Vec3 in_model = alignment.center_model + R.transpose() * (fixed - alignment.center_target) / s;
-    const ClosestPoint near = model.bvh.closest_point(in_model);
+    const ClosestPoint near = closest(model, in_model);
     const Vec3 moved = alignment.center_target + s * (R * (near.point - alignment.center_model));
     pairs.push_back({moved, fixed, R * triangle_normal(model.bvh, near.triangle)});
   }

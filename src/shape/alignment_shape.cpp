@@ -12,7 +12,7 @@ namespace eigengrasp {
 
 namespace {
 
-constexpr int n_points = 300;
+constexpr int n_points = 200;
 
 /// Right-handed eigenvectors by falling eigenvalue.
 void set_axes(AlignmentShape& shape, const Mat3& covariance) {

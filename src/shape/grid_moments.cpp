@@ -55,10 +55,13 @@ ZernikeMoments compute_filled_moments(const TriangleMesh& mesh, const ShapeBall&
   const MeshBvh bvh(mesh);
   DistanceGrid grid(grid_side, 2.0);
   grid.add_surface(mesh, ball);
-  return grid_moments(grid, order, [&](const Vec3& p, double distance) {
+  bool any_inside = false;
+  ZernikeMoments moments = grid_moments(grid, order, [&](const Vec3& p, double distance) {
     const bool inside = bvh.winding_number(ball.center + ball.radius * p) > 0.5;
+    any_inside = any_inside || inside;
     return std::clamp(0.5 + (inside ? distance : -distance) / grid.cell(), 0.0, 1.0);
   });
+  return any_inside ? moments : ZernikeMoments(order);
 }
 
 }  // namespace eigengrasp

@@ -12,7 +12,8 @@ ZernikeMoments compute_thick_surface_moments(const TriangleMesh& mesh, const Sha
                                              int order);
 
 /// Moments of the inside by the generalised winding number, on the same grid; cells that the surface passes
-/// count by the share of them that is inside. @pre the mesh lies in the ball
+/// count by the share of them that is inside. All 0 where no cell's centre is inside. @pre the mesh lies in
+/// the ball
 ZernikeMoments compute_filled_moments(const TriangleMesh& mesh, const ShapeBall& ball, int order);
 
 }  // namespace eigengrasp

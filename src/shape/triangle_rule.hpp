@@ -17,8 +17,9 @@ struct TriangleRule {
 
 inline constexpr int kMaxRuleSide = 21;
 
-/// The conical product of two Gauss rules with side^2 nodes, exact to degree 2 side - 1 (Stroud 1971).
-/// @pre side in [1, kMaxRuleSide]
-const TriangleRule& triangle_rule(int side);
+/// The conical product of two Gauss rules: `along` nodes from the side ac to the corner b, exact to degree
+/// 2 along - 1, times `across` nodes on lines parallel to ac, exact to degree 2 across - 1 (Stroud 1971).
+/// @pre both in [1, kMaxRuleSide]
+const TriangleRule& triangle_rule(int along, int across);
 
 }  // namespace eigengrasp

@@ -20,7 +20,8 @@ TriangleMesh nearly_a_cube() {
 }
 
 /// How far the points of the mesh land from where they belong, at most, over the size.
-double misplaced(const TriangleMesh& mesh, const Alignment& a, const Mat3& R, double scale, const Vec3& shift) {
+double misplaced(const TriangleMesh& mesh, const Alignment& a, const Mat3& R, double scale,
+                 const Vec3& shift) {
   const Eigen::Matrix4d X = a.matrix(a.scale);
   double worst = 0.0;
   for (const Vec3& p : mesh.vertices)
@@ -101,8 +102,8 @@ TEST(Alignment, OneSidedLaysAPartUponTheWhole) {
   options.match_scale = false;
   options.one_sided = true;
   options.iterations = 40;
-  const Alignment a = align_by_icp(make_alignment_shape(part), make_alignment_shape(moved(whole, R, 1.0, Vec3::Zero())),
-                                   options);
+  const Alignment a = align_by_icp(make_alignment_shape(part),
+                                   make_alignment_shape(moved(whole, R, 1.0, Vec3::Zero())), options);
   EXPECT_EQ(a.scale, 1.0);
   EXPECT_LT(a.distance, 0.02);
   EXPECT_LT(misplaced(part, a, R, 1.0, Vec3::Zero()), 0.03);

@@ -48,15 +48,15 @@ TEST(ShapeDescriptor, OfASurfaceStaysUnder100RotationsAndScales) {
 }
 
 TEST(ShapeDescriptor, OnTheGridVsByMoments) {
-  for (const TriangleMesh& mesh : {box_about({1.0, 0.7, 0.4}, Vec3::Zero()), torus_mesh(1.0, 0.4),
-                                   capsule_mesh(0.3, 0.5)}) {
+  for (const TriangleMesh& mesh :
+       {box_about({1.0, 0.7, 0.4}, Vec3::Zero()), torus_mesh(1.0, 0.4), capsule_mesh(0.3, 0.5)}) {
     const auto exact = compute_shape_descriptor(mesh, of(ShapeFunction::solid));
     const auto grid = compute_shape_descriptor(mesh, of(ShapeFunction::solid, false));
     EXPECT_EQ(exact.route, DescriptorRoute::moments);
     EXPECT_EQ(grid.route, DescriptorRoute::voxels);
     EXPECT_LT(descriptor_distance(exact, grid), 0.05);
     for (std::size_t i = 0; i < kDescriptorSize; ++i)
-      EXPECT_NEAR(exact.invariants[i], grid.invariants[i], 0.01 * exact.invariants[0]) << i;
+      EXPECT_NEAR(exact.invariants[i], grid.invariants[i], 0.02 * exact.invariants[0]) << i;
   }
 }
 

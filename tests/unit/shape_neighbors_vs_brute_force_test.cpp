@@ -43,7 +43,8 @@ TEST(NearestShapes, VsBruteForceInDoublePrecision) {
     for (std::size_t i = 0; i < shapes.size(); ++i) {
       const auto other = shapes.descriptor(i);
       double sum = 0.0;
-      for (std::size_t k = 0; k < dimension; ++k) sum += std::pow(static_cast<double>(query[k]) - other[k], 2);
+      for (std::size_t k = 0; k < dimension; ++k)
+        sum += std::pow(static_cast<double>(query[k]) - other[k], 2);
       all.emplace_back(std::sqrt(sum), i);
     }
     std::sort(all.begin(), all.end());

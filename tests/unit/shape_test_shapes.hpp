@@ -17,7 +17,8 @@ inline TriangleMesh box_about(const Vec3& size, const Vec3& middle) {
   return mesh;
 }
 
-/// Three bars of different lengths that meet in a corner: closed pieces, no symmetry, unlike its mirror image.
+/// Three bars of different lengths that meet in a corner: closed pieces, no symmetry, unlike its mirror
+/// image.
 inline TriangleMesh chiral_shape() {
   TriangleMesh mesh = box_about({1.0, 0.2, 0.2}, {0.5, 0.0, 0.0});
   append(mesh, box_about({0.2, 0.6, 0.2}, {0.9, 0.4, 0.0}));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
-// Moments of meshes against closed forms, and against the definition, written once more and integrated otherwise.
+// Moments of meshes against closed forms, and against the definition, written once more and integrated
+// otherwise.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -90,8 +91,10 @@ double ball_moment(int n, double radius) {
   double sum = 0.0;
   for (int i = 0; i <= steps; ++i) {
     const double r = radius * i / steps;
-    sum += (i == 0 || i == steps ? 1.0 : i % 2 == 1 ? 4.0 : 2.0) * r *
-           std::legendre(static_cast<unsigned>(n) + 1U, r);
+    sum += (i == 0 || i == steps ? 1.0
+            : i % 2 == 1         ? 4.0
+                                 : 2.0) *
+           r * std::legendre(static_cast<unsigned>(n) + 1U, r);
   }
   return std::sqrt(3.0 * (2.0 * n + 3.0)) * sum * radius / (3.0 * steps);
 }
@@ -119,7 +122,8 @@ TEST(ZernikeMoments, OfAnyOrderDoNotDependOnHowTrianglesAreCut) {
   const TriangleMesh coarse = box_about({1.1, 0.9, 0.7}, {0.05, 0.0, -0.1});
   TriangleMesh fine;
   for (std::size_t t = 0; t < coarse.triangles.size(); ++t) {  // in 36
-    const Vec3 a = coarse.corner(t, 0), u = (coarse.corner(t, 1) - a) / 6.0, v = (coarse.corner(t, 2) - a) / 6.0;
+    const Vec3 a = coarse.corner(t, 0), u = (coarse.corner(t, 1) - a) / 6.0,
+               v = (coarse.corner(t, 2) - a) / 6.0;
     const auto add = [&](const Vec3& p, const Vec3& q, const Vec3& r) {
       const auto first = static_cast<std::int32_t>(fine.vertices.size());
       fine.vertices.insert(fine.vertices.end(), {p, q, r});
@@ -134,8 +138,10 @@ TEST(ZernikeMoments, OfAnyOrderDoNotDependOnHowTrianglesAreCut) {
   }
   const ZernikeMoments low = compute_solid_moments(coarse, {}, 10);
   for (const int order : {10, 20, 30, 40}) {
-    const ZernikeMoments a = compute_solid_moments(coarse, {}, order), b = compute_solid_moments(fine, {}, order);
-    for (std::size_t i = 0; i < a.values().size(); ++i) ASSERT_NEAR(a.values()[i], b.values()[i], 1e-6) << order;
+    const ZernikeMoments a = compute_solid_moments(coarse, {}, order),
+                         b = compute_solid_moments(fine, {}, order);
+    for (std::size_t i = 0; i < a.values().size(); ++i)
+      ASSERT_NEAR(a.values()[i], b.values()[i], 1e-6) << order;
     for (int n = 0; n <= 10; ++n)
       for (int l = n % 2; l <= n; l += 2) EXPECT_NEAR(a(n, l, l), low(n, l, l), 1e-6);
   }
@@ -147,7 +153,8 @@ TEST(ZernikeMoments, SurfaceOfASphereVsClosedForm) {
   const ZernikeMoments moments = compute_surface_moments(mesh, {}, 12);
   for (int n = 0; n <= 12; n += 2)
     EXPECT_NEAR(moments(n, 0, 0),
-                std::sqrt((2.0 * n + 3.0) / 3.0) * std::legendre(static_cast<unsigned>(n) + 1U, 0.7) / 0.7, 0.03)
+                std::sqrt((2.0 * n + 3.0) / 3.0) * std::legendre(static_cast<unsigned>(n) + 1U, 0.7) / 0.7,
+                0.03)
         << n;
 }
 
@@ -156,7 +163,7 @@ TEST(TriangleRule, IsExactForPolynomialsVsClosedForm) {
     for (int i = 0; i <= 2 * side - 1; ++i) {
       const int j = 2 * side - 1 - i;
       double sum = 0.0, exact = 2.0;  // 2 i! j! / (i + j + 2)!
-      for (const auto& node : triangle_rule(side).nodes)
+      for (const auto& node : triangle_rule(side, side).nodes)
         sum += node.weight * std::pow(node.u, i) * std::pow(node.v, j);
       for (int k = 1; k <= j; ++k) exact *= static_cast<double>(k) / (i + k);
       exact /= (i + j + 1.0) * (i + j + 2.0);

@@ -28,8 +28,8 @@ struct RetrievalRow {
   std::string name;
   bool test = false;
   int moments = 0, voxels = 0;  ///< models by route
-  int failed = 0;               ///< models that could not be described that way; they count as unlike all others
-  double seconds = 0.0;         ///< median time of a descriptor
+  int failed = 0;        ///< models that could not be described that way; they count as unlike all others
+  double seconds = 0.0;  ///< median time of a descriptor
   RetrievalMeasures measures;
 };
 
@@ -54,13 +54,13 @@ struct PsbRetrieval {
   bool stopped_early = false;
 };
 
-/// Describes all classified models and measures retrieval within the test and within the training half of the base
-/// classification. Cost: 1 min of one core, 10 min with the solid, 0.5 ms a descriptor of the index.
+/// Describes all classified models and measures retrieval within the test and within the training half of the
+/// base classification. Cost: 1 min of one core, 10 min with the solid, 0.5 ms a descriptor of the index.
 /// @throws Error where the benchmark is not there or a mesh cannot be read
 PsbRetrieval run_psb_retrieval(const PsbRetrievalOptions& options);
 
-/// Times of the exact search among 7,256 descriptors and of the index, whose descriptors are mixtures of three of
-/// the given ones each.
+/// Times of the exact search among 7,256 descriptors and of the index, whose descriptors are mixtures of
+/// three of the given ones each.
 SearchTimes measure_search(const NearestShapes& shapes, std::size_t index_size, int threads);
 
 std::string psb_retrieval_markdown(const PsbRetrieval& result, const ExperimentRecord& record);
@@ -69,8 +69,8 @@ std::string psb_retrieval_json(const PsbRetrieval& result, const ExperimentRecor
 std::string psb_retrieval_svg(const PsbRetrieval& result);
 Image psb_retrieval_picture(const PsbRetrieval& result);
 
-/// The spherical harmonics descriptor on the test half (Shilane et al. 2004, Table 4): nearest neighbour, first
-/// and second tier, E-measure, DCG.
+/// The spherical harmonics descriptor on the test half (Shilane et al. 2004, Table 4): nearest neighbour,
+/// first and second tier, E-measure, DCG.
 inline constexpr double kSphericalHarmonics[5] = {0.556, 0.309, 0.411, 0.241, 0.584};
 
 }  // namespace eigengrasp

@@ -8,8 +8,8 @@
 
 namespace eigengrasp {
 
-/// How well neighbours are of the same class (Shilane et al. 2004, section 4): means over all queries, each of
-/// which is one shape against all others. All in [0, 1].
+/// How well neighbours are of the same class (Shilane et al. 2004, section 4): means over all queries, each
+/// of which is one shape against all others. All in [0, 1].
 struct RetrievalMeasures {
   double nearest_neighbor = 0.0;  ///< share of queries whose nearest shape is of their class
   double first_tier = 0.0;        ///< recall among the C - 1 nearest ones, C the size of the class
@@ -20,8 +20,8 @@ struct RetrievalMeasures {
   int queries = 0;                ///< shapes in classes of three or more
 };
 
-/// @param classes a number for each shape's class; shapes that are alone or in a pair are no queries, as in the
-/// benchmark's own program. @pre as many classes as shapes
+/// @param classes a number for each shape's class; shapes that are alone or in a pair are no queries, as in
+/// the benchmark's own program. @pre as many classes as shapes
 RetrievalMeasures measure_retrieval(const NearestShapes& shapes, const std::vector<int>& classes);
 
 }  // namespace eigengrasp

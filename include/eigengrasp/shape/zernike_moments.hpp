@@ -51,7 +51,7 @@ std::size_t zernike_invariant_count(int order);
 
 /// Moments of the inside of a closed mesh (1 inside, 0 outside, more where it encloses space more than once):
 /// by the divergence theorem integrals of polynomials over triangles, by Gauss rules that are exact, or, on
-/// small triangles, to about 1e-8 of the largest moment. The rest is rounding. Triangles that are turned
+/// small triangles, to about 1e-6 of the largest moment. The rest is rounding. Triangles that are turned
 /// inside out count negative. Cost: about 2 us a small triangle, 15 us a large one.
 /// @pre the mesh lies in the ball (up to rounding)
 ZernikeMoments compute_solid_moments(const TriangleMesh& mesh, const ShapeBall& ball, int order);
