@@ -120,7 +120,7 @@ std::string psb_retrieval_markdown(const PsbRetrieval& result, const ExperimentR
       "benchmark's paper and program. The weights of the invariants were learned from the training half "
       "alone "
       "([how](../theory/zernike.md)). A model that cannot be described in a row's way counts as unlike all "
-      "others. Times are medians of whole descriptors while all threads work.\n\n",
+      "others. Times are medians of a thread's processor time for a descriptor.\n\n",
       result.rows.front().measures.queries, result.rows.back().measures.queries, result.absent.size());
   page += "## Test half\n\n" + half_table(result, true);
   page +=

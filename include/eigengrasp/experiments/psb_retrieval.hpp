@@ -29,7 +29,7 @@ struct RetrievalRow {
   bool test = false;
   int moments = 0, voxels = 0;  ///< models by route
   int failed = 0;        ///< models that could not be described that way; they count as unlike all others
-  double seconds = 0.0;  ///< median time of a descriptor
+  double seconds = 0.0;  ///< median processor time of a descriptor
   RetrievalMeasures measures;
 };
 
