@@ -10,6 +10,7 @@ find_package(embree 3 REQUIRED)
 find_package(yaml-cpp REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(CLI11 REQUIRED)
+find_path(EIGENGRASP_HNSWLIB hnswlib/hnswlib.h REQUIRED)
 find_package(Boost 1.74 REQUIRED)  # headers: Beast, Asio
 find_package(LibArchive 3.6 REQUIRED)
 find_package(PNG REQUIRED)

@@ -14,7 +14,12 @@ namespace eigengrasp {
 namespace {
 
 namespace fs = std::filesystem;
-using TagsOfModel = std::map<int, std::vector<std::string>>;
+/// What the classification says of a model.
+struct Classified {
+  std::vector<std::string> tags;
+  bool test = false;
+};
+using ClassOfModel = std::map<int, Classified>;
 
 /// The whole of a text as a number; -1 where it is none.
 int as_number(std::string_view text) {
@@ -67,7 +72,7 @@ ClassHead parse_head(const Lines& lines, const std::string& line,
   lines.expected("a class whose parent came before, or 0", line);
 }
 
-void read_classification(const fs::path& file, TagsOfModel& tags) {
+void read_classification(const fs::path& file, bool test, ClassOfModel& classes) {
   Lines lines(file);
   std::string line;
   if (!lines.next(line) || !line.starts_with("PSB ")) lines.expected("PSB and a version", line);
@@ -82,7 +87,7 @@ void read_classification(const fs::path& file, TagsOfModel& tags) {
       if (!lines.next(line)) lines.expected("the number of a model", "the end of the file");
       const int number = as_number(line);
       if (number < 0) lines.expected("the number of a model", line);
-      tags[number] = path;
+      classes[number] = {path, test};
     }
     paths[head.name] = path;
   }
@@ -109,17 +114,17 @@ PsbLibrary load_psb(const fs::path& folder) {
         "{}: is not the Princeton Shape Benchmark; expected the folder db and "
         "classification/v1/base/train.cla",
         folder.string());
-  TagsOfModel tags;
-  read_classification(classes / "train.cla", tags);
-  if (fs::exists(classes / "test.cla")) read_classification(classes / "test.cla", tags);
+  ClassOfModel known;
+  read_classification(classes / "train.cla", false, known);
+  if (fs::exists(classes / "test.cla")) read_classification(classes / "test.cla", true, known);
   std::map<int, fs::path> meshes = find_meshes(root / "db");
   PsbLibrary library;
-  for (const auto& [number, path] : tags)
+  for (const auto& [number, classified] : known)
     if (!meshes.contains(number)) library.absent.push_back(number);
   for (const auto& [number, mesh] : meshes) {
-    const auto known = tags.find(number);
-    library.models.push_back(
-        {number, mesh, known == tags.end() ? std::vector<std::string>{} : known->second});
+    const auto found = known.find(number);
+    const Classified classified = found == known.end() ? Classified{} : found->second;
+    library.models.push_back({number, mesh, classified.tags, classified.test});
   }
   return library;
 }

@@ -13,6 +13,7 @@ struct PsbModel {
   int number = 0;
   std::filesystem::path mesh;     ///< .../db/12/m1234/m1234.off
   std::vector<std::string> tags;  ///< its class, outermost first: aircraft, airplane, F117
+  bool test = false;              ///< of the test half of the classification
 };
 
 struct PsbLibrary {
