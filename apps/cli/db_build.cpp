@@ -20,7 +20,8 @@ struct BuildChoice {
   std::string store;
   std::vector<std::string> hands = {"barrett-metal", "barrett-rubber", "human"};
   std::string time_limit = "60s";
-  std::optional<std::string> sbatch_options;  ///< none: build here
+  bool slurm = false;
+  std::vector<std::string> sbatch_options;  ///< all words that are not ours
   BuildOptions options;
 };
 
@@ -53,6 +54,9 @@ std::vector<std::string> words_of_jobs(const BuildChoice& choice) {
 }
 
 int run_build(BuildChoice choice) {
+  if (!choice.slurm && !choice.sbatch_options.empty())
+    fail("found '{}', which is no option of 'db build' (see 'eigengrasp db build --help')",
+         choice.sbatch_options.front());
   BuildOptions& options = choice.options;
   options.unit.time_limit = parse_seconds("--time-limit", choice.time_limit);
   for (const std::string& name : choice.hands) options.hands.push_back(load_hand_choice({name, {}, {}}));
@@ -60,9 +64,9 @@ int run_build(BuildChoice choice) {
   const auto store = open_store(choice.store);
   if (store->counts().models == 0)
     fail("{}: holds no objects; 'eigengrasp db add-objects' adds them", store->place());
-  if (choice.sbatch_options) {
+  if (choice.slurm) {
     add_work(*store, options);
-    submit_to_slurm(choice.store, {*choice.sbatch_options, words_of_jobs(choice)});
+    submit_to_slurm(choice.store, {choice.sbatch_options, words_of_jobs(choice)});
     return success;
   }
   options.cache = user_cache();
@@ -110,13 +114,10 @@ void add_db_build(CLI::App& db, int& exit_code) {
   build->add_flag("--retry-failed", options.retry_failed, "Let failed units wait again first");
   build->add_flag("--only-waiting", options.only_waiting,
                   "Build what waits in the store and add nothing to it; for workers that join a build");
-  build
-      ->add_option(
-          "--slurm", choice->sbatch_options,
-          "Submit a job array to Slurm instead, with these options of sbatch in one word, or none; the "
-          "store must be PostgreSQL")
-      ->expected(0, 1)
-      ->default_str("");
+  build->add_flag("--slurm", choice->slurm,
+                  "Submit a job array to Slurm instead; all words that are not options of this command go to "
+                  "sbatch. The store must be PostgreSQL");
+  build->allow_extras();
   build->footer(
       "A unit is an object at a scale with a hand; it is stored when it ends. The same command goes on where "
       "it was\n"
@@ -124,10 +125,12 @@ void add_db_build(CLI::App& db, int& exit_code) {
       "Examples:\n"
       "  eigengrasp db build sqlite:grasps.db\n"
       "  eigengrasp db build postgresql://me@localhost/grasps --hands human,robonaut --grasps 25 --jobs 8\n"
-      "  eigengrasp db build postgresql://me@server/grasps --slurm '--partition=cpu --array=1-64 "
-      "--time=8:00:00'\n"
+      "  eigengrasp db build postgresql://me@server/grasps --slurm --partition=cpu\n"
       "Exit code: 0, 1 stopped by Ctrl-C (what has ended is stored), 2 bad input.");
-  build->callback([choice, &exit_code] { exit_code = run_build(*choice); });
+  build->callback([build, choice, &exit_code] {
+    choice->sbatch_options = build->remaining();
+    exit_code = run_build(*choice);
+  });
 }
 
 }  // namespace eigengrasp::cli

@@ -21,8 +21,8 @@ inline std::unique_ptr<GraspStore> open_to_read(const std::string& address) {
 
 /// What a build on a Slurm cluster is given.
 struct SlurmChoice {
-  std::string sbatch_options;              ///< such as "--partition=cpu --array=1-64"
-  std::vector<std::string> build_options;  ///< of the jobs' `db build --only-waiting`
+  std::vector<std::string> sbatch_options;  ///< such as --partition=cpu
+  std::vector<std::string> build_options;   ///< of the jobs' `db build --only-waiting`
 };
 /// Submits a job array whose jobs build what waits in a store. @throws Error where sbatch is missing or
 /// refuses

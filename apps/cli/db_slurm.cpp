@@ -81,10 +81,12 @@ void submit_to_slurm(const std::string& store, const SlurmChoice& choice) {
   const std::filesystem::path file = folder.path() / "eigengrasp.sh";
   write_file_atomically(file, script(choice));
   ::setenv(kStoreVariable, store.c_str(), 1);
-  const std::string command = fmt::format("sbatch {} {}", choice.sbatch_options, quoted(file.string()));
+  std::string command = "sbatch";
+  for (const std::string& word : choice.sbatch_options) command.append(1, ' ').append(quoted(word));
+  command.append(1, ' ').append(quoted(file.string()));
   std::fflush(stdout);
   if (std::system(command.c_str()) != 0)
-    fail("--slurm: 'sbatch {}' was refused; its own words are above", choice.sbatch_options);
+    fail("--slurm: sbatch refused the job array; its own words are above");
   fmt::print(
       "'eigengrasp db status STORE' shows the progress; 'scancel' ends it, and the same command goes on\n");
 }

@@ -118,7 +118,7 @@ TEST(SessionReplay, ThePlannerSeesEveryWristInItsOrder) {
   auto hand = testing::two_finger_hand();
   set_collision_pairs(*hand, {});
   const Scene scene = testing::scene_of(hand, testing::solid(testing::box_mesh({0.03, 0.035, 0.04})));
-  RecordedTask task{start_of("two"), {}};
+  RecordedTask task{start_of("two"), {}, {}};
   for (int i = 0; i < 5; ++i)
     task.input.push_back({0.01 * i, ClientMessage(wrist_at(0.1 * i, 0.5 - 0.01 * i))});
   task.input.push_back({0.05, ClientMessage(Command{OperatorCommand::close, {}})});
