@@ -27,7 +27,7 @@ struct ShapeIndexOptions {
 /// Memory: 0.7 kB a descriptor of 121 numbers. Immutable; any number of threads may search.
 class ShapeIndex {
  public:
-  /// Cost: 0.3-1 ms a descriptor and thread. @throws Error where there is none, or options.validate() objects
+  /// Cost: 0.5-1 ms a descriptor and thread. @throws Error where there is none, or options.validate() objects
   explicit ShapeIndex(const NearestShapes& shapes, const ShapeIndexOptions& options = {});
   /// Reads what save() wrote. @throws Error for a file that is missing, cut, changed, or of another version
   static ShapeIndex load(const std::filesystem::path& file);
