@@ -89,7 +89,7 @@ void add_reproduce_retrieval(CLI::App& reproduce, int& exit_code) {
                       "Folder of the Princeton Shape Benchmark (default: $EIGENGRASP_DATA/psb_v1)");
   command->add_option("--out", choice->out, "Folder for the results")->capture_default_str();
   command->add_option("--index", choice->index_size,
-                      "Also measures the index, over this many descriptors (1000000: 20 minutes)");
+                      "Also measures the index, over this many descriptors (1000000: 5 minutes)");
   command->add_option("--threads", choice->threads, "0: all; does not change the measures");
   command->add_flag("!--no-solid", choice->solid,
                     "Leaves out the descriptors of the solid, most of the time");

@@ -55,7 +55,7 @@ struct PsbRetrieval {
 };
 
 /// Describes all classified models and measures retrieval within the test and within the training half of the
-/// base classification. Cost: 1 min of one core, 10 min with the solid, 0.5 ms a descriptor of the index.
+/// base classification. Cost: 1 min of one core, 6 min with the solid, 0.4 ms a descriptor of the index.
 /// @throws Error where the benchmark is not there or a mesh cannot be read
 PsbRetrieval run_psb_retrieval(const PsbRetrievalOptions& options);
 
