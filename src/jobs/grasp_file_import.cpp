@@ -8,6 +8,7 @@
 #include "eigengrasp/core/error.hpp"
 #include "eigengrasp/core/files.hpp"
 #include "eigengrasp/database/graspable_size.hpp"
+#include "eigengrasp/geometry/mesh_io.hpp"
 #include "eigengrasp/jobs/prepared_parts.hpp"
 #include "eigengrasp/model_io/hand_io.hpp"
 #include "eigengrasp/model_io/object_io.hpp"
@@ -17,10 +18,6 @@ namespace eigengrasp {
 namespace {
 
 const GraspSource source{"eigengrasp plan", "grasps of files that 'eigengrasp plan' wrote"};
-
-double metres_of(const std::string& units) {
-  return units == "mm" ? 0.001 : units == "cm" ? 0.01 : units == "in" ? 0.0254 : 1.0;
-}
 
 /// The object at scale 1; its one scale is that of the file.
 StoredModel model_record(const ObjectRecord& object) {
@@ -33,7 +30,7 @@ StoredModel model_record(const ObjectRecord& object) {
   model.name = object.name;
   model.geometry_path = std::filesystem::absolute(object.source.path).lexically_normal().string();
   model.content_hash = content_hash(read_text_file(object.source.path));
-  model.rescale = metres_of(object.units);
+  model.rescale = unit_length(object.units);
   model.approximate_radius = approximate_radius(at_one.mesh, at_one.center_of_mass);
   model.scales = {object.scale};
   return model;
