@@ -71,12 +71,11 @@ VecX hand_posture(const HandModel& hand, const SearchSpace& space, const HandSta
 /// Simulated annealing (section III-A) in sixteen lanes: one chain, or sixteen side by side. A lone chain
 /// draws sixteen neighbours of its state at once and takes the first that is accepted, which is the same walk
 /// as one draw after the other; draws behind the accepted one are thrown away and do not count. Holds its own
-/// random streams and memory: annealers run in any order, on any thread. Stands on cache lines of its own:
-/// neighbours in an array whose counters share a line made two threads 1.1 times as fast as one, not 2.
+/// random streams and memory: annealers run in any order, on any thread.
 ///
 /// Tempered, the sixteen chains stand on a ladder of temperatures, from the schedule's last to its first;
 /// after every other step neighbours trade theirs by the Metropolis rule. Progress has no meaning then.
-class alignas(128) Annealer {
+class Annealer {
  public:
   /// What annealers share; what it refers to must outlive them.
   struct Task {
