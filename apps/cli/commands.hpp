@@ -26,6 +26,7 @@ void add_reproduce_command(CLI::App& app, int& exit_code);
 void add_replay_command(CLI::App& app, int& exit_code);
 /// Adds psb-retrieval to the command reproduce.
 void add_reproduce_retrieval(CLI::App& reproduce, int& exit_code);
+void add_scan_command(CLI::App& app);
 void add_shape_command(CLI::App& app);
 void add_serve_command(CLI::App& app);
 void add_db_command(CLI::App& app, int& exit_code);

@@ -48,6 +48,7 @@ int main(int argc, char** argv) {
   eigengrasp::cli::add_render_command(app);
   eigengrasp::cli::add_hand_command(app, exit_code);
   eigengrasp::cli::add_object_command(app);
+  eigengrasp::cli::add_scan_command(app);
   eigengrasp::cli::add_shape_command(app);
   eigengrasp::cli::add_bench_command(app, exit_code);
   eigengrasp::cli::add_online_bench_command(app, exit_code);

@@ -10,6 +10,7 @@
 
 #include "geometry/mesh_file_checks.hpp"
 #include "geometry/ply_writer.hpp"
+#include "geometry/point_file_readers.hpp"
 #include "geometry/text_lines.hpp"
 
 namespace eigengrasp {
@@ -117,8 +118,8 @@ bool is_corner_list(const PlyElement& element, const PlyProperty& property) {
          (property.name == "vertex_indices" || property.name == "vertex_index");
 }
 
-/// The header must tell of a surface, and of no more than the bytes can hold.
-void check_header(const TextLines& lines, PlyHeader& header, std::size_t bytes) {
+/// The header must tell of vertices, and of no more than the bytes can hold; for a surface also of faces.
+void check_header(const TextLines& lines, PlyHeader& header, std::size_t bytes, bool surface) {
   const auto refuse = [&](std::string_view found) {
     fail("{}: {}; export it again", lines.file().string(), found);
   };
@@ -141,7 +142,8 @@ void check_header(const TextLines& lines, PlyHeader& header, std::size_t bytes) 
     header.faces = element.count;
     for (const PlyProperty& property : element.properties) has_corners |= is_corner_list(element, property);
   }
-  if (header.vertices == 0) refuse("has no vertices, expected a surface");
+  if (header.vertices == 0) refuse("has no vertices, expected a surface or a cloud of points");
+  if (!surface) return;
   if (header.faces == 0)
     fail("{}: is a cloud of {} points without faces, expected a surface; reconstruct one first",
          lines.file().string(), header.vertices);
@@ -160,14 +162,15 @@ class PlyBody {
 
 class TextBody : public PlyBody {
  public:
-  explicit TextBody(TextLines& lines) : lines_(lines) {}
+  TextBody(TextLines& lines, bool may_be_nan) : lines_(lines), may_be_nan_(may_be_nan) {}
   void begin_row(const PlyElement& element, std::int64_t row) override {
     if (!lines_.next())
       lines_.fail_here("ends after {} of {} rows of {}; the file is cut off", row, element.count,
                        lines_.shown(element.name));
   }
   double read(const PlyType& type) override {
-    return type.kind == 'f' ? lines_.number("a number") : static_cast<double>(lines_.integer("an integer"));
+    if (type.kind != 'f') return static_cast<double>(lines_.integer("an integer"));
+    return may_be_nan_ ? lines_.number_or_nan("a number") : lines_.number("a number");
   }
   void end_row() override {
     if (const auto word = lines_.word(); !word.empty())
@@ -177,6 +180,7 @@ class TextBody : public PlyBody {
 
  private:
   TextLines& lines_;
+  bool may_be_nan_ = false;
 };
 
 class BinaryBody : public PlyBody {
@@ -273,16 +277,65 @@ PlyWriter read_rows(PlyBody& body, const PlyHeader& header) {
   return mesh;
 }
 
+/// One row; x, y and z of a vertex go to p, everything else is passed over.
+void skip_row(PlyBody& body, const PlyElement& element, Vec3& p) {
+  for (const PlyProperty& property : element.properties) {
+    const double value = body.read(property.count_type != nullptr ? *property.count_type : *property.type);
+    if (property.count_type != nullptr) {
+      if (value < 0) body.refuse(fmt::format("a list of {} numbers, expected 0 or more", value));
+      for (double k = 0; k < value; ++k) body.read(*property.type);
+    } else if (property.name == "x" || property.name == "y" || property.name == "z") {
+      p[property.name[0] - 'x'] = value;
+    }
+  }
+}
+
+PointCloud read_points(PlyBody& body, const PlyHeader& header) {
+  PointCloud cloud;
+  for (const PlyElement& element : header.elements) {
+    for (std::int64_t row = 0; row < element.count; ++row) {
+      Vec3 p = Vec3::Zero();
+      body.begin_row(element, row);
+      skip_row(body, element, p);
+      body.end_row();
+      if (element.name == "vertex") cloud.points.push_back(p);
+    }
+    if (element.name == "vertex") break;  // what follows are faces, or rows of a range image
+  }
+  return cloud;
+}
+
 }  // namespace
+
+bool ply_has_no_faces(const std::filesystem::path& file, std::string_view content) {
+  TextLines lines(file, content);
+  const PlyHeader header = read_header(lines);
+  for (const PlyElement& element : header.elements)
+    if (element.name == "face" && element.count > 0) return false;
+  return true;
+}
+
+PointCloud read_ply_points(const std::filesystem::path& file, std::string_view content) {
+  TextLines lines(file, content);
+  PlyHeader header = read_header(lines);
+  const std::string_view rows = content.substr(lines.position());
+  check_header(lines, header, rows.size(), false);
+  if (header.format == "ascii") {
+    TextBody body(lines, true);
+    return read_points(body, header);
+  }
+  BinaryBody body(file, rows, header.format == "binary_big_endian");
+  return read_points(body, header);
+}
 
 CheckedMeshFile check_ply(const std::filesystem::path& file, std::string_view content) {
   TextLines lines(file, content);
   PlyHeader header = read_header(lines);
   const std::string_view rows = content.substr(lines.position());
-  check_header(lines, header, rows.size());
+  check_header(lines, header, rows.size(), true);
   PlyWriter mesh;
   if (header.format == "ascii") {
-    TextBody body(lines);
+    TextBody body(lines, false);
     mesh = read_rows(body, header);
   } else {
     BinaryBody body(file, rows, header.format == "binary_big_endian");

@@ -66,6 +66,17 @@ class TextLines {
     return value;
   }
 
+  /// A number, or the word nan in any case and with any sign: what a sensor did not see.
+  double number_or_nan(std::string_view what) {
+    TextLines ahead = *this;
+    std::string_view text = ahead.word();
+    if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
+    const auto is = [&](std::size_t k, char letter) { return (text[k] | 0x20) == letter; };
+    if (text.size() != 3 || !is(0, 'n') || !is(1, 'a') || !is(2, 'n')) return number(what);
+    word();
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+
   std::int64_t integer(std::string_view what) {
     const std::string_view text = word();
     if (text.empty()) fail_here("the line ends where {} was expected; the file may be cut off", what);

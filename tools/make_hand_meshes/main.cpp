@@ -7,9 +7,9 @@
 #include <exception>
 
 #include "eigengrasp/core/error.hpp"
-#include "modeling/decimate.hpp"
-#include "modeling/mesh_tools.hpp"
-#include "modeling/polygonise.hpp"
+#include "eigengrasp/modeling/decimate.hpp"
+#include "eigengrasp/modeling/mesh_tools.hpp"
+#include "eigengrasp/modeling/polygonise.hpp"
 #include "shape_file.hpp"
 
 namespace {

@@ -7,9 +7,9 @@
 #include <set>
 
 #include "eigengrasp/core/error.hpp"
-#include "modeling/loft.hpp"
-#include "modeling/operations.hpp"
-#include "modeling/primitives.hpp"
+#include "eigengrasp/modeling/loft.hpp"
+#include "eigengrasp/modeling/operations.hpp"
+#include "eigengrasp/modeling/primitives.hpp"
 
 namespace eigengrasp::shapes {
 namespace {

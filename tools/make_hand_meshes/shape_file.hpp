@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "modeling/solid.hpp"
+#include "eigengrasp/modeling/solid.hpp"
 
 namespace eigengrasp::shapes {
 

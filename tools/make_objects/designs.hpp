@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The eigengrasp authors
 #pragma once
 
-#include "modeling/solid.hpp"
+#include "eigengrasp/modeling/solid.hpp"
 
 namespace eigengrasp::make_objects {
 

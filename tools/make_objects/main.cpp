@@ -10,9 +10,9 @@
 
 #include "designs.hpp"
 #include "eigengrasp/core/error.hpp"
-#include "modeling/decimate.hpp"
-#include "modeling/mesh_tools.hpp"
-#include "modeling/polygonise.hpp"
+#include "eigengrasp/modeling/decimate.hpp"
+#include "eigengrasp/modeling/mesh_tools.hpp"
+#include "eigengrasp/modeling/polygonise.hpp"
 
 namespace eigengrasp::make_objects {
 namespace {

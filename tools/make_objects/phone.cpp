@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: The eigengrasp authors
 // Cordless handset, lying on its back: x along it towards the antenna, y across, z out of the front.
 #include "designs.hpp"
-#include "modeling/operations.hpp"
-#include "modeling/primitives.hpp"
+#include "eigengrasp/modeling/operations.hpp"
+#include "eigengrasp/modeling/primitives.hpp"
 
 namespace eigengrasp::make_objects {
 

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "designs.hpp"
-#include "modeling/operations.hpp"
-#include "modeling/primitives.hpp"
+#include "eigengrasp/modeling/operations.hpp"
+#include "eigengrasp/modeling/primitives.hpp"
 
 namespace eigengrasp::make_objects {
 

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <unordered_map>
 
-#include "modeling/mesh_tools.hpp"
+#include "eigengrasp/modeling/mesh_tools.hpp"
 
 namespace eigengrasp::modeling {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
-#include "modeling/mesh_tools.hpp"
+#include "eigengrasp/modeling/mesh_tools.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
-#include "modeling/decimate.hpp"
+#include "eigengrasp/modeling/decimate.hpp"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include <queue>
 #include <vector>
 
-#include "modeling/mesh_tools.hpp"
+#include "eigengrasp/modeling/mesh_tools.hpp"
 
 namespace eigengrasp::modeling {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
-#include "modeling/polygonise.hpp"
+#include "eigengrasp/modeling/polygonise.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <unordered_map>
 
 #include "eigengrasp/core/parallel.hpp"
-#include "modeling/mesh_tools.hpp"
+#include "eigengrasp/modeling/mesh_tools.hpp"
 
 namespace eigengrasp::modeling {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "modeling/mesh_tools.hpp"
+#include "eigengrasp/modeling/mesh_tools.hpp"
 
 namespace eigengrasp::modeling {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
-#include "modeling/operations.hpp"
+#include "eigengrasp/modeling/operations.hpp"
 
 #include <algorithm>
 #include <stdexcept>

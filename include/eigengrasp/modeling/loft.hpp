@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "modeling/solid.hpp"
+#include "eigengrasp/modeling/solid.hpp"
 
 namespace eigengrasp::modeling {
 

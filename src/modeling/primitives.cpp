@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
-#include "modeling/primitives.hpp"
+#include "eigengrasp/modeling/primitives.hpp"
 
 #include <algorithm>
 #include <cmath>

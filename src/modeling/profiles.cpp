@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "modeling/primitives.hpp"
+#include "eigengrasp/modeling/primitives.hpp"
 
 namespace eigengrasp::modeling {
 namespace {

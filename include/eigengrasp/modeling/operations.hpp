@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "modeling/solid.hpp"
+#include "eigengrasp/modeling/solid.hpp"
 
 namespace eigengrasp::modeling {
 
