@@ -25,6 +25,7 @@ ObjectModel load_stored_object(const StoredModel& model) {
     fail("{}: has changed since it was added to the store", model.geometry_path);
   ObjectReadOptions options;
   options.units = "m";
+  options.later_scale = model.rescale;
   const ObjectModel in_units = load_object(model.geometry_path, options);
   TriangleMesh mesh = in_units.mesh;
   if (inspect_mesh(mesh).degenerate_triangles >= static_cast<int>(mesh.triangles.size()))
