@@ -59,7 +59,7 @@ class Shipped(EndToEnd):
         self.assertIn('0 units in', self.succeed('db', 'build', 'sqlite:mine.db').stdout)
 
     def test_bad_input(self):
-        for command in (['build', 'shipped'], ['add-objects', 'shipped', '--library'], ['import', 'shipped', 'sqlite:g.db']):
+        for command in (['build', 'shipped'], ['add-objects', 'shipped', '--library']):
             self.refuse(['db', *command], 'only for reading', 'db export shipped')
         self.refuse(['db', 'add-objects', 'sqlite:g.db'], 'no folder of meshes', '--library')
         self.refuse(['db', 'add-objects', 'sqlite:g.db', '.', '--library'], '--library stands beside')
