@@ -65,7 +65,7 @@ int run_build(BuildChoice choice) {
   if (!choice.lease.empty()) options.lease = parse_seconds("--lease", choice.lease);
   for (const std::string& name : choice.hands) options.hands.push_back(load_hand_choice({name, {}, {}}));
   if (const auto violations = options.validate(); !violations.empty()) fail("{}", violations.front());
-  const auto store = open_to_write(choice.store);
+  const auto store = open_to_write(choice.store, options.only_waiting);
   if (store->counts().models == 0)
     fail("{}: holds no objects; 'eigengrasp db add-objects' adds them", store->place());
   if (choice.slurm) {

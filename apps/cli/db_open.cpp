@@ -25,11 +25,13 @@ std::unique_ptr<GraspStore> open_to_read(const std::string& address) {
                     options_of(StoreAccess::read));
 }
 
-std::unique_ptr<GraspStore> open_to_write(const std::string& address) {
+std::unique_ptr<GraspStore> open_to_write(const std::string& address, bool await_server) {
   if (address == kShipped)
     fail(
         "'shipped' is only for reading; 'eigengrasp db export shipped sqlite:FILE' makes a copy to write to");
-  return open_store(address, options_of(StoreAccess::write));
+  StoreOptions options = options_of(StoreAccess::write);
+  options.await_server = await_server;
+  return open_store(address, options);
 }
 
 }  // namespace eigengrasp::cli

@@ -20,7 +20,8 @@ inline constexpr const char* kStoreToReadHelp =
 /// A store that must be there, or the shipped one; nothing of it is changed.
 std::unique_ptr<GraspStore> open_to_read(const std::string& address);
 /// A store that is made where it is missing. Says on stderr where it waits for a server.
-std::unique_ptr<GraspStore> open_to_write(const std::string& address);
+/// @param await_server also where none answers now: one that starts again
+std::unique_ptr<GraspStore> open_to_write(const std::string& address, bool await_server = false);
 
 /// What a build on a Slurm cluster is given.
 struct SlurmChoice {

@@ -20,7 +20,7 @@ std::string without_password(const std::string& url) {
   return out;
 }
 
-void complain_of_connection(const std::string& place, const std::string& message, bool was_there) {
+void complain_of_connection(const std::string& place, const std::string& message, bool may_come) {
   const auto says = [&](const char* part) { return message.find(part) != std::string::npos; };
   if (says("password authentication failed") || says("no password supplied"))
     fail(
@@ -33,7 +33,7 @@ void complain_of_connection(const std::string& place, const std::string& message
   const bool for_now = says("starting up") || says("shutting down") || says("recovery mode") ||
                        says("too many clients") || says("connection slots");
   if (for_now) throw TransientError(fmt::format("{}: {}", place, first_line(message)), false);
-  if (was_there) throw TransientError(fmt::format("{}: the server does not answer any more", place), false);
+  if (may_come) throw TransientError(fmt::format("{}: the server does not answer", place), false);
   if (says("Connection refused") || says("No such file or directory"))
     fail("{}: no PostgreSQL server answers there; is it running, and are host and port right?", place);
   fail("{}: {}", place, first_line(message));

@@ -91,7 +91,7 @@ class PostgresConnection : public SqlConnection {
     const char* values[] = {"10", "eigengrasp", "UTF8", url.c_str(), nullptr};
     db_.reset(PQconnectdbParams(keywords, values, 1));
     if (PQstatus(db_.get()) != CONNECTION_OK)
-      complain_of_connection(place_, PQerrorMessage(db_.get()), false);
+      complain_of_connection(place_, PQerrorMessage(db_.get()), options.await_server);
     if (PQserverVersion(db_.get()) < 150000)
       fail("{}: the server is PostgreSQL {}, expected 15 or newer", place_,
            PQserverVersion(db_.get()) / 10000);

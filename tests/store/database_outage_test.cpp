@@ -96,6 +96,21 @@ TEST_F(Outages, a_server_that_comes_back_is_waited_for) {
   expect_sentence(heard_[1], {"answers again"});
 }
 
+TEST_F(Outages, a_worker_that_joins_waits_for_the_server) {
+  open(1.0);
+  PostgresServer::instance()->stop();
+  StoreOptions options;
+  options.retry_seconds = 60.0;
+  EXPECT_NE(error_of([&] { open_store(address_, options); }), "(no error)");
+  options.await_server = true;
+  std::thread later([] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    PostgresServer::instance()->start();
+  });
+  EXPECT_EQ(open_store(address_, options)->counts().waiting, 1);
+  later.join();
+}
+
 TEST_F(Outages, a_server_that_stays_away_is_given_up) {
   const auto store = open(0.5);
   PostgresServer::instance()->stop();

@@ -88,8 +88,10 @@ struct StoreOptions {
   StoreAccess access = StoreAccess::write;
   double lock_seconds = 10.0;  ///< how long a write waits for another program's
   /// PostgreSQL: how long a call is made again where the server goes away or ends the transaction because of
-  /// others. A server that is not there when the store is opened is an Error at once.
+  /// others.
   double retry_seconds = 60.0;
+  bool await_server =
+      false;         ///< so also where no server answers at the opening; else that is an Error at once
   LogSink log = {};  ///< hears of such a wait and of its end
 };
 
