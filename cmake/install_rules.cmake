@@ -26,7 +26,7 @@ if(TARGET eigengrasp)
 endif()
 
 set(eigengrasp_data_folder ${CMAKE_INSTALL_DATADIR}/eigengrasp)
-foreach(kind hands objects)
+foreach(kind hands objects grasps)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/${kind} DESTINATION ${eigengrasp_data_folder}
           PATTERN shapes.yaml EXCLUDE)  # input of the mesh generator
 endforeach()

@@ -9,15 +9,17 @@
 #include <map>
 #include <optional>
 
+#include "cli/db_parts.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/scene_options.hpp"
 #include "eigengrasp/core/content_hash.hpp"
 #include "eigengrasp/core/error.hpp"
 #include "eigengrasp/core/files.hpp"
-#include "eigengrasp/database/grasp_store.hpp"
 #include "eigengrasp/database/graspable_size.hpp"
 #include "eigengrasp/geometry/mass_properties.hpp"
 #include "eigengrasp/geometry/mesh_io.hpp"
+#include "eigengrasp/jobs/prepared_parts.hpp"
+#include "eigengrasp/model_io/model_library.hpp"
 #include "eigengrasp/model_io/psb_io.hpp"
 #include "eigengrasp/render/pictures.hpp"
 
@@ -30,10 +32,15 @@ namespace fs = std::filesystem;
 struct Candidate {
   std::string name;
   fs::path mesh;
-  std::vector<std::string> tags;
+  std::vector<std::string> tags = {};
+  bool of_library = false;
 };
 
 void require_sound(const AddObjectsChoice& choice) {
+  if (choice.library && (!choice.folder.empty() || choice.psb || !choice.units.empty()))
+    fail("--library stands beside a folder, --psb or --units; the objects of the library need none of them");
+  if (!choice.library && choice.folder.empty())
+    fail("there is no folder of meshes; name one, or give --library for the shipped objects");
   if (choice.psb && !choice.units.empty())
     fail("--units is '{}' beside --psb, whose meshes have no units; leave one of them out", choice.units);
   if (!choice.units.empty()) unit_length(choice.units);
@@ -58,7 +65,7 @@ std::vector<Candidate> folder_candidates(const fs::path& folder) {
   std::map<std::string, int> uses;
   for (const auto& entry : fs::recursive_directory_iterator(folder))
     if (entry.is_regular_file() && (is_mesh_file(entry.path()) || is_open_inventor(entry.path()))) {
-      found.push_back({entry.path().stem().string(), entry.path(), {}});
+      found.push_back({entry.path().stem().string(), entry.path()});
       ++uses[found.back().name];
     }
   for (Candidate& c : found)
@@ -79,6 +86,20 @@ std::vector<Candidate> psb_candidates(const fs::path& folder, AddObjectsReport& 
   std::vector<Candidate> found;
   for (const PsbModel& m : psb.models) found.push_back({fmt::format("psb_{}", m.number), m.mesh, m.tags});
   return found;
+}
+
+std::vector<Candidate> library_candidates() {
+  std::vector<Candidate> found;
+  for (const NamedModel& object : list_objects()) {
+    found.push_back({object.name, object.path});
+    found.back().of_library = true;
+  }
+  return found;
+}
+
+std::vector<Candidate> find_candidates(const AddObjectsChoice& choice, AddObjectsReport& report) {
+  if (choice.library) return library_candidates();
+  return choice.psb ? psb_candidates(choice.folder, report) : folder_candidates(choice.folder);
 }
 
 /// Draws an object from above and aside. @returns the picture's path
@@ -105,7 +126,8 @@ StoredModel measure(const Candidate& candidate, const AddObjectsChoice& choice) 
   const double factor = keep ? 1.0 : graspable_rescale(box);
   StoredModel model;
   model.name = candidate.name;
-  model.geometry_path = fs::absolute(candidate.mesh).lexically_normal().string();
+  model.geometry_path = candidate.of_library ? kLibraryPath + candidate.name
+                                             : fs::absolute(candidate.mesh).lexically_normal().string();
   model.content_hash = content_hash(read_text_file(candidate.mesh));
   model.tags = candidate.tags;
   model.rescale = unit_length(units) * factor;
@@ -121,9 +143,8 @@ StoredModel measure(const Candidate& candidate, const AddObjectsChoice& choice) 
 AddObjectsReport add_objects(const AddObjectsChoice& choice, const StopFlag& stop) {
   AddObjectsReport report;
   require_sound(choice);
-  const auto candidates =
-      choice.psb ? psb_candidates(choice.folder, report) : folder_candidates(choice.folder);
-  const auto store = open_store(choice.store);
+  const auto candidates = find_candidates(choice, report);
+  const auto store = open_to_write(choice.store);
   report.place = store->place();
   if (!choice.thumbnails.empty()) require_writable_folder(choice.thumbnails);
   ProgressBar bar;

@@ -12,10 +12,11 @@ namespace eigengrasp::cli {
 
 struct AddObjectsChoice {
   std::string store;
-  std::filesystem::path folder;
-  std::string units;       ///< of the meshes; empty: by the files' kind
-  bool psb = false;        ///< the Princeton Shape Benchmark's layout; its meshes have no units
-  bool keep_size = false;  ///< no rescaling, whatever the size
+  std::filesystem::path folder;  ///< of meshes; empty with library
+  std::string units;             ///< of the meshes; empty: by the files' kind
+  bool psb = false;              ///< the Princeton Shape Benchmark's layout; its meshes have no units
+  bool library = false;          ///< the shipped objects, by name instead of by path
+  bool keep_size = false;        ///< no rescaling, whatever the size
   std::vector<double> scales = {0.75, 1.0, 1.25, 1.5};
   std::filesystem::path thumbnails;  ///< folder for a picture of each object; empty: none
   int threads = 0;

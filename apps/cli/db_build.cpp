@@ -20,6 +20,7 @@ struct BuildChoice {
   std::string store;
   std::vector<std::string> hands = {"barrett-metal", "barrett-rubber", "human"};
   std::string time_limit = "60s";
+  std::string lease;  ///< empty: by the time limit
   bool slurm = false;
   std::vector<std::string> sbatch_options;  ///< all words that are not ours
   BuildOptions options;
@@ -46,11 +47,13 @@ std::string progress_text(const BuildProgress& p) {
 /// The options of the jobs of an array, which plan as this call would.
 std::vector<std::string> words_of_jobs(const BuildChoice& choice) {
   const UnitOptions& unit = choice.options.unit;
-  return {"--hands",      fmt::format("{}", fmt::join(choice.hands, ",")),
-          "--grasps",     std::to_string(unit.grasps),
-          "--states",     std::to_string(unit.states),
-          "--time-limit", choice.time_limit,
-          "--seed",       std::to_string(unit.seed)};
+  std::vector<std::string> words{"--hands",      fmt::format("{}", fmt::join(choice.hands, ",")),
+                                 "--grasps",     std::to_string(unit.grasps),
+                                 "--states",     std::to_string(unit.states),
+                                 "--time-limit", choice.time_limit,
+                                 "--seed",       std::to_string(unit.seed)};
+  if (!choice.lease.empty()) words.insert(words.end(), {"--lease", choice.lease});
+  return words;
 }
 
 int run_build(BuildChoice choice) {
@@ -59,9 +62,10 @@ int run_build(BuildChoice choice) {
          choice.sbatch_options.front());
   BuildOptions& options = choice.options;
   options.unit.time_limit = parse_seconds("--time-limit", choice.time_limit);
+  if (!choice.lease.empty()) options.lease = parse_seconds("--lease", choice.lease);
   for (const std::string& name : choice.hands) options.hands.push_back(load_hand_choice({name, {}, {}}));
   if (const auto violations = options.validate(); !violations.empty()) fail("{}", violations.front());
-  const auto store = open_store(choice.store);
+  const auto store = open_to_write(choice.store, options.only_waiting);
   if (store->counts().models == 0)
     fail("{}: holds no objects; 'eigengrasp db add-objects' adds them", store->place());
   if (choice.slurm) {
@@ -108,6 +112,9 @@ void add_db_build(CLI::App& db, int& exit_code) {
                     "States of the search after which it gives up (default: 100000)");
   build->add_option("--time-limit", choice->time_limit,
                     "Of a unit, such as 60s or 2min; a safety net, noted beside the unit (default: 60s)");
+  build->add_option("--lease", choice->lease,
+                    "How long units stay with a worker that is not heard of any more, such as 60s (default: "
+                    "three time limits and two minutes)");
   build->add_option("--seed", options.unit.seed, "Of all units (default: 1)");
   build->add_option("--jobs", options.jobs,
                     "Threads, an object each (default: all); does not change the result");

@@ -81,7 +81,7 @@ void print_show(const DbChoice& choice) {
 void copy(const std::string& from, const std::string& to) {
   if (from == to) fail("'{}' is both the source and the target, expected two stores", from);
   const auto source = open_to_read(from);
-  const auto target = open_store(to);
+  const auto target = open_to_write(to);
   const CopyReport r = copy_store(*source, *target);
   fmt::print("{}: {} grasps, {} objects, {} hands and {} units are new", target->place(), r.grasps, r.models,
              r.hands, r.units);
@@ -94,7 +94,7 @@ void import_into(const std::string& address, const std::string& from) {
   std::error_code ec;
   if (!from.ends_with(".json") || !std::filesystem::is_regular_file(from, ec)) return copy(from, address);
   const GraspFile file = load_grasps(from);
-  const auto store = open_store(address);
+  const auto store = open_to_write(address);
   const std::size_t n = import_grasp_file(file, *store);
   fmt::print("{}: {} grasps of {} at scale {} with {} are new\n", store->place(), n, file.object.name,
              file.object.scale, file.hand.name);
@@ -111,9 +111,10 @@ int run_add_objects(const AddObjectsChoice& choice) {
   return r.stopped ? nothing_found : success;
 }
 
-CLI::App* add_part(CLI::App& db, DbChoice& choice, const std::string& name, const std::string& help) {
+CLI::App* add_part(CLI::App& db, DbChoice& choice, const std::string& name, const std::string& help,
+                   const char* store_help = kStoreToReadHelp) {
   CLI::App* command = db.add_subcommand(name, help);
-  command->add_option("store", choice.store, kStoreHelp)->required();
+  command->add_option("store", choice.store, store_help)->required();
   return command;
 }
 
@@ -144,8 +145,9 @@ void add_copying(CLI::App& db, const std::shared_ptr<DbChoice>& choice) {
   out->footer(rule + "Example:\n  eigengrasp db export sqlite:grasps.db text:grasps");
   out->callback([choice] { copy(choice->store, choice->other); });
 
-  CLI::App* in = add_part(db, *choice, "import",
-                          "Copy another store, or a grasps.json, into this one; made where missing");
+  CLI::App* in =
+      add_part(db, *choice, "import",
+               "Copy another store, or a grasps.json, into this one; made where missing", kStoreHelp);
   in->add_option("source", choice->other,
                  "Store to read from: as STORE; or a grasps.json of 'eigengrasp plan'")
       ->required();
@@ -161,7 +163,9 @@ void add_adding(CLI::App& db, int& exit_code) {
   CLI::App* add =
       db.add_subcommand("add-objects", "Add a folder of meshes to a store, which is made where missing");
   add->add_option("store", choice->store, kStoreHelp)->required();
-  add->add_option("folder", choice->folder, "Folder of meshes; folders in it are looked through")->required();
+  add->add_option("folder", choice->folder, "Folder of meshes; folders in it are looked through");
+  add->add_flag("--library", choice->library,
+                "The shipped objects instead of a folder; the store names them, so that it is good anywhere");
   add->add_option("--units", choice->units, "Of the meshes: m, cm, mm, in (IV and WRL: mm, else m)");
   add->add_flag("--psb", choice->psb,
                 "The Princeton Shape Benchmark in its own layout: names psb_N, classes as tags, no units");
@@ -192,11 +196,13 @@ void add_db_command(CLI::App& app, int& exit_code) {
       app.add_subcommand("db", "Stores of grasps: adding objects, building, looking, verifying, copying");
   db->require_subcommand(1);
   db->footer(
-      "A STORE is sqlite:FILE, text:FOLDER or postgresql://USER:PASSWORD@HOST/DATABASE.\n"
+      "A STORE is sqlite:FILE, text:FOLDER or postgresql://USER:PASSWORD@HOST/DATABASE; 'shipped' can be "
+      "read.\n"
       "Examples:\n"
       "  eigengrasp db add-objects sqlite:grasps.db meshes --units mm\n"
       "  eigengrasp db build sqlite:grasps.db --hands human,barrett-rubber\n"
       "  eigengrasp db info sqlite:grasps.db\n"
+      "  eigengrasp db show shipped glass --hand human\n"
       "  eigengrasp db export sqlite:grasps.db text:grasps");
   auto choice = std::make_shared<DbChoice>();
   add_adding(*db, exit_code);

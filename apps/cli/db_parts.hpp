@@ -13,11 +13,15 @@ namespace eigengrasp::cli {
 
 inline constexpr const char* kStoreHelp =
     "sqlite:FILE, text:FOLDER or postgresql://USER:PASSWORD@HOST/DATABASE";
+inline constexpr const char* kStoreToReadHelp =
+    "sqlite:FILE, text:FOLDER, postgresql://USER:PASSWORD@HOST/DATABASE, or 'shipped': grasps of the shipped "
+    "objects";
 
-/// A store that must be there; nothing of it is changed.
-inline std::unique_ptr<GraspStore> open_to_read(const std::string& address) {
-  return open_store(address, {.access = StoreAccess::read});
-}
+/// A store that must be there, or the shipped one; nothing of it is changed.
+std::unique_ptr<GraspStore> open_to_read(const std::string& address);
+/// A store that is made where it is missing. Says on stderr where it waits for a server.
+/// @param await_server also where none answers now: one that starts again
+std::unique_ptr<GraspStore> open_to_write(const std::string& address, bool await_server = false);
 
 /// What a build on a Slurm cluster is given.
 struct SlurmChoice {

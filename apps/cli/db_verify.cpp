@@ -60,7 +60,7 @@ void add_db_verify(CLI::App& db, int& exit_code) {
   auto choice = std::make_shared<VerifyChoice>();
   CLI::App* verify =
       db.add_subcommand("verify", "Simulate stored grasps again and say which do not reproduce");
-  verify->add_option("store", choice->store, kStoreHelp)->required();
+  verify->add_option("store", choice->store, kStoreToReadHelp)->required();
   verify->add_option("--hands", choice->hands, "Only grasps with these; names or files (default: all)")
       ->delimiter(',');
   verify->add_option("--objects", choice->options.objects, "Only of these objects (default: all)")

@@ -58,7 +58,7 @@ void add_reproduce_table3(CLI::App& reproduce) {
   auto choice = std::make_shared<Table3Choice>();
   CLI::App* table3 =
       reproduce.add_subcommand("table3", "Table III: the grasp database, from a store that was built");
-  table3->add_option("store", choice->store, kStoreHelp)->required();
+  table3->add_option("store", choice->store, kStoreToReadHelp)->required();
   table3->add_option("--out", choice->out, "Folder for the results")->capture_default_str();
   table3->add_option("--threads", choice->threads, "0: all");
   table3->add_flag("!--no-pictures", choice->pictures, "No pictures");

@@ -10,7 +10,7 @@
 #include "database/postgres_address.hpp"
 #include "database/postgres_schema.hpp"
 #include "database/postgres_values.hpp"
-#include "eigengrasp/core/error.hpp"
+#include "database/transient_error.hpp"
 
 namespace eigengrasp {
 
@@ -90,7 +90,8 @@ class PostgresConnection : public SqlConnection {
     const char* keywords[] = {"connect_timeout", "application_name", "client_encoding", "dbname", nullptr};
     const char* values[] = {"10", "eigengrasp", "UTF8", url.c_str(), nullptr};
     db_.reset(PQconnectdbParams(keywords, values, 1));
-    if (PQstatus(db_.get()) != CONNECTION_OK) complain_of_connection(place_, PQerrorMessage(db_.get()));
+    if (PQstatus(db_.get()) != CONNECTION_OK)
+      complain_of_connection(place_, PQerrorMessage(db_.get()), options.await_server);
     if (PQserverVersion(db_.get()) < 150000)
       fail("{}: the server is PostgreSQL {}, expected 15 or newer", place_,
            PQserverVersion(db_.get()) / 10000);
@@ -116,13 +117,18 @@ class PostgresConnection : public SqlConnection {
     require(r.get());
   }
   void begin() override {
-    revive();
-    script("BEGIN");
-    in_transaction_ = true;
+    in_transaction_ = true;  // also of a connection that is lost here nothing is stored
+    try {
+      revive();
+      script("BEGIN");
+    } catch (...) {
+      in_transaction_ = false;
+      throw;
+    }
   }
   void commit() override {
-    script("COMMIT");
     in_transaction_ = false;
+    script("COMMIT");
   }
   void rollback() noexcept override {
     in_transaction_ = false;
@@ -164,7 +170,7 @@ class PostgresConnection : public SqlConnection {
     if (PQstatus(db_.get()) == CONNECTION_OK) return;
     PQreset(db_.get());
     names_.clear();
-    if (PQstatus(db_.get()) != CONNECTION_OK) complain_of_connection(place_, PQerrorMessage(db_.get()));
+    if (PQstatus(db_.get()) != CONNECTION_OK) complain_of_connection(place_, PQerrorMessage(db_.get()), true);
     set_up_session();
   }
 
@@ -194,10 +200,15 @@ class PostgresConnection : public SqlConnection {
   }
 
   [[noreturn]] void complain(const PGresult* r) const {
-    if (PQstatus(db_.get()) != CONNECTION_OK)
-      fail("{}: the connection to the server was lost; the step that was under way was not stored", place_);
     const char* code = r ? PQresultErrorField(r, PG_DIAG_SQLSTATE) : nullptr;
     const std::string_view state = code ? code : "";
+    const bool shut_down = state == "57P01" || state == "57P02" || state == "57P03";
+    if (PQstatus(db_.get()) != CONNECTION_OK || shut_down || state.starts_with("08"))
+      throw TransientError(fmt::format("{}: the connection to the server was lost", place_),
+                           !in_transaction_);
+    if (state == "40P01" || state == "40001")
+      throw TransientError(fmt::format("{}: the server ended the transaction because of another one", place_),
+                           false);
     if (state == "55P03")
       fail("{}: is locked by another program (waited {} s); try again when it has ended", place_,
            options_.lock_seconds);
@@ -212,7 +223,7 @@ class PostgresConnection : public SqlConnection {
   StoreOptions options_;
   std::unique_ptr<PGconn, Finish> db_;
   std::unordered_map<std::string, std::string> names_;  // of prepared statements
-  bool in_transaction_ = false;
+  bool in_transaction_ = false;  // before its commit, so that a lost connection undoes it
 };
 
 }  // namespace

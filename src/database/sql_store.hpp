@@ -24,6 +24,7 @@ class SqlStore : public GraspStore {
   std::vector<GraspSource> sources() override;
   std::size_t add_units(const std::vector<UnitKey>& keys) override;
   std::vector<StoredUnit> units() override;
+  std::vector<StoredUnit> claimed_units() override;
   std::optional<UnitKey> claim_unit(const std::string& worker, double lease_seconds) override;
   std::vector<UnitKey> claim_object(const std::string& worker, double lease_seconds) override;
   bool renew_lease(const UnitKey& key, const std::string& worker, double lease_seconds) override;
@@ -63,6 +64,7 @@ class SqlStore : public GraspStore {
   // Parts of the calls above.
   std::vector<StoredModel> models_where(const std::string& condition, const std::vector<SqlValue>& values);
   std::vector<StoredHand> hands_where(const std::string& condition, const std::vector<SqlValue>& values);
+  std::vector<StoredUnit> units_where(const std::string& condition);
   bool add_scales(const std::string& model, const std::vector<double>& scales);
   std::optional<Slot> claim_first(const std::string& worker, double lease_seconds);
   UnitKey key_of(Slot slot);

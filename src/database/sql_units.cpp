@@ -28,8 +28,7 @@ std::size_t SqlStore::add_units(const std::vector<UnitKey>& keys) {
   return added;
 }
 
-std::vector<StoredUnit> SqlStore::units() {
-  const std::lock_guard lock(mutex_);
+std::vector<StoredUnit> SqlStore::units_where(const std::string& condition) {
   std::vector<StoredUnit> units;
   db_->run(
       "SELECT o.original_model_name, s.scaled_model_scale, h.hand_name, w.work_unit_state, "
@@ -37,7 +36,8 @@ std::vector<StoredUnit> SqlStore::units() {
       "w.work_unit_worker, w.work_unit_lease, w.work_unit_seconds FROM work_unit w "
       "JOIN scaled_model s ON s.scaled_model_id = w.scaled_model_id "
       "JOIN original_model o ON o.original_model_id = s.original_model_id "
-      "JOIN hand h ON h.hand_id = w.hand_id ORDER BY w.work_unit_id",
+      "JOIN hand h ON h.hand_id = w.hand_id " +
+          condition + " ORDER BY w.work_unit_id",
       {}, [&](const SqlRow& row) {
         units.push_back({{row.string(0), row.number(1), row.string(2)},
                          parse_unit_state(row.text(3), place()),
@@ -47,6 +47,17 @@ std::vector<StoredUnit> SqlStore::units() {
                          row.number(7)});
       });
   return units;
+}
+
+std::vector<StoredUnit> SqlStore::units() {
+  const std::lock_guard lock(mutex_);
+  return units_where("");
+}
+
+std::vector<StoredUnit> SqlStore::claimed_units() {
+  const std::lock_guard lock(mutex_);
+  // The first condition is that of the index of open units.
+  return units_where("WHERE w.work_unit_state IN ('waiting', 'claimed') AND w.work_unit_state = 'claimed'");
 }
 
 /// Within a transaction. SQLite locks the file for the statement, PostgreSQL the row, passing over what

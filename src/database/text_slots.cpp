@@ -156,6 +156,15 @@ std::vector<StoredUnit> TextStore::units() {
   return units;
 }
 
+std::vector<StoredUnit> TextStore::claimed_units() {
+  const std::lock_guard lock(mutex_);
+  std::vector<StoredUnit> units;
+  for (const std::int64_t number : open_)
+    if (const StoredUnit& u = slots_.at(order_.at(number)).unit; u.state == UnitState::claimed)
+      units.push_back(u);
+  return units;
+}
+
 /// The first unit that can be claimed, and all others of its object where the whole object is asked for.
 std::vector<UnitKey> TextStore::claim(const std::string& worker, double lease_seconds, bool whole_object) {
   require_claim(worker, lease_seconds);

@@ -28,6 +28,7 @@ class TextStore : public GraspStore {
   std::vector<GraspSource> sources() override;
   std::size_t add_units(const std::vector<UnitKey>& keys) override;
   std::vector<StoredUnit> units() override;
+  std::vector<StoredUnit> claimed_units() override;
   std::optional<UnitKey> claim_unit(const std::string& worker, double lease_seconds) override;
   std::vector<UnitKey> claim_object(const std::string& worker, double lease_seconds) override;
   bool renew_lease(const UnitKey& key, const std::string& worker, double lease_seconds) override;

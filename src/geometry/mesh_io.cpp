@@ -185,7 +185,7 @@ TriangleMesh load_mesh(const fs::path& file, const MeshReadOptions& options) {
   } catch (const std::exception& e) {
     fail("{}: cannot be read as a mesh ({}); export it again", file.string(), first_line(e.what()));
   }
-  check_vertices(mesh, file, options.scale);
+  check_vertices(mesh, file, options.scale * options.later_scale);
   transform(mesh, Pose::Identity(), options.scale);
   weld(mesh, 0.0);
   if (mesh.empty()) fail("{}: has no triangles, expected a surface; export faces as well", file.string());

@@ -33,6 +33,8 @@ std::vector<std::string> BuildOptions::validate() const {
   }
   if (jobs < 0 || jobs > 4096)
     violations.push_back(fmt::format("jobs is {}, expected 0 (all) to 4096", jobs));
+  if (!(lease >= 0.0) || !(lease <= 1e9))
+    violations.push_back(fmt::format("lease is {} s, expected 0 (by the time limit) to 1e9", lease));
   for (const auto& hand : hands)
     for (const std::string& v : PlanOptions{.amplitudes = std::min(2, hand->n_dof())}.validate(*hand))
       violations.push_back(v);
@@ -69,8 +71,8 @@ class Build {
   BuildReport run();
 
  private:
-  bool wait_for_others();
-  void give_back_of_the_dead();
+  bool wait_for_others(const std::string& worker);
+  bool give_back(const std::string& worker);
   void require_hands();
   void work(int thread);
   void build_object(const std::vector<UnitKey>& keys, const std::string& worker);
@@ -78,7 +80,9 @@ class Build {
   void count(const UnitResult& result, bool stored);
   bool stopped() const { return options_.stop != nullptr && options_.stop->stop_requested(); }
   /// A unit takes no more than its time limit and the preparation of its object.
-  double lease_seconds() const { return 3.0 * options_.unit.time_limit + 120.0; }
+  double lease_seconds() const {
+    return options_.lease > 0.0 ? options_.lease : 3.0 * options_.unit.time_limit + 120.0;
+  }
 
   GraspStore& store_;
   const BuildOptions& options_;
@@ -90,9 +94,13 @@ class Build {
   StopWatch watch_;
 };
 
-void Build::give_back_of_the_dead() {
-  for (const StoredUnit& u : store_.units())
-    if (u.state == UnitState::claimed && has_ended_here(u.worker)) store_.release_unit(u.key, u.worker);
+/// What processes of this machine held that have ended waits again, and what this worker, which has nothing
+/// in hand, holds by a claim whose answer was lost. @returns whether there was any
+bool Build::give_back(const std::string& worker) {
+  bool any = false;
+  for (const StoredUnit& u : store_.claimed_units())
+    if (u.worker == worker || has_ended_here(u.worker)) any = store_.release_unit(u.key, u.worker) || any;
+  return any;
 }
 
 void Build::require_hands() {
@@ -157,9 +165,10 @@ void Build::build_object(const std::vector<UnitKey>& keys, const std::string& wo
 }
 
 /// What others hold comes back when they give it up or their leases end. @returns false where nothing is held
-bool Build::wait_for_others() {
+bool Build::wait_for_others(const std::string& worker) {
   constexpr int naps = 20;
   constexpr auto nap = std::chrono::milliseconds(100);
+  if (give_back(worker)) return true;
   const StoreCounts counts = store_.counts();
   if (counts.claimed == 0) return counts.waiting > 0;
   for (int i = 0; i < naps && !stopped() && !broken_; ++i) std::this_thread::sleep_for(nap);
@@ -173,7 +182,7 @@ void Build::work(int thread) {
       const std::vector<UnitKey> keys = store_.claim_object(worker, lease_seconds());
       if (!keys.empty()) {
         build_object(keys, worker);
-      } else if (!wait_for_others()) {
+      } else if (!wait_for_others(worker)) {
         return;
       }
     }
@@ -185,7 +194,7 @@ void Build::work(int thread) {
 
 BuildReport Build::run() {
   if (!options_.only_waiting) add_work(store_, options_);
-  give_back_of_the_dead();
+  give_back("");
   for (const auto& hand : options_.hands)
     hands_[hand->name] = prepare_hand(hand, options_.jobs, options_.cache.get());
   require_hands();

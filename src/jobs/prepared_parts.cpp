@@ -6,6 +6,7 @@
 #include "eigengrasp/core/error.hpp"
 #include "eigengrasp/core/files.hpp"
 #include "eigengrasp/geometry/mass_properties.hpp"
+#include "eigengrasp/model_io/model_library.hpp"
 #include "eigengrasp/model_io/object_io.hpp"
 
 namespace eigengrasp {
@@ -20,20 +21,27 @@ CollisionModel::Options one_thread() {
 
 }  // namespace
 
+std::filesystem::path geometry_file(const StoredModel& model) {
+  if (!model.geometry_path.starts_with(kLibraryPath)) return model.geometry_path;
+  return find_library_object(model.geometry_path.substr(std::string_view(kLibraryPath).size()));
+}
+
 ObjectModel load_stored_object(const StoredModel& model) {
-  if (content_hash(read_text_file(model.geometry_path)) != model.content_hash)
-    fail("{}: has changed since it was added to the store", model.geometry_path);
+  const std::filesystem::path file = geometry_file(model);
+  if (content_hash(read_text_file(file)) != model.content_hash)
+    fail("{}: has changed since it was added to the store", file.string());
   ObjectReadOptions options;
   options.units = "m";
-  const ObjectModel in_units = load_object(model.geometry_path, options);
+  options.later_scale = model.rescale;
+  const ObjectModel in_units = load_object(file, options);
   TriangleMesh mesh = in_units.mesh;
   if (inspect_mesh(mesh).degenerate_triangles >= static_cast<int>(mesh.triangles.size()))
-    fail("{}: none of its {} triangles has an area, expected a surface", model.geometry_path,
+    fail("{}: none of its {} triangles has an area, expected a surface", file.string(),
          mesh.triangles.size());
   transform(mesh, Pose::Identity(), model.rescale);
   const Vec3 center = model.rescale * in_units.center_of_mass;
   ObjectModel object = make_object(model.name, std::move(mesh), &center);
-  object.source = model.geometry_path;
+  object.source = file;
   object.material = in_units.material;
   return object;
 }

@@ -104,7 +104,23 @@ fs::path find_hand(const std::string& name_or_path) {
 fs::path find_object(const std::string& name_or_path) {
   std::error_code ec;
   if (fs::is_regular_file(name_or_path, ec)) return name_or_path;
-  return find_named(name_or_path, list_objects(), "known object", "file");
+  return find_library_object(name_or_path);
+}
+
+fs::path find_library_object(const std::string& name) {
+  return find_named(name, list_objects(), "known object", "file");
+}
+
+fs::path find_shipped_grasps() {
+  std::error_code ec;
+  std::vector<std::string> places;
+  for (const fs::path& data : data_folders()) {
+    const fs::path file = data / "grasps" / "shipped.db";
+    if (fs::is_regular_file(file, ec)) return fs::absolute(file).lexically_normal();
+    places.push_back(file.string());
+  }
+  fail("the shipped grasps were not found, expected one of {}; install the data or name another store",
+       join(places));
 }
 
 }  // namespace eigengrasp

@@ -37,7 +37,9 @@ ObjectModel load_by_kind(const std::filesystem::path& file, const ObjectReadOpti
   if (graspit) return load_graspit_body(file, scale);
   if (inventor) return make_object(file.stem().string(), load_inventor(file, scale));
   if (is_point_cloud_file(file)) return load_scan(file, scale);
-  if (is_mesh_file(file)) return make_object(file.stem().string(), load_mesh(file, {.scale = scale}));
+  if (is_mesh_file(file))
+    return make_object(file.stem().string(),
+                       load_mesh(file, {.scale = scale, .later_scale = options.later_scale}));
   fail(
       "{}: ends in \"{}\", expected a mesh (such as .obj, .stl, .ply, .off, .glb), .iv, .wrl, a GraspIt! "
       ".xml or a cloud of points (.ply, .pcd)",

@@ -7,37 +7,17 @@ import random
 import signal
 import shutil
 import sqlite3
-import subprocess
 import time
 import support
-from support import EndToEnd, box_obj, wait_until_catching_interrupts
+from store_support import StoreTest
+from support import box_obj, wait_until_catching_interrupts
 
 SMALL = ['--hands', 'barrett-rubber,human', '--scales', '0.75,1', '--grasps', '3', '--states', '20000']
 
 
-class Build(EndToEnd):
-    def store(self, address='sqlite:g.db', boxes=((40, 80, 60), (30, 30, 120), (25, 70, 70))):
-        for i, size in enumerate(boxes):
-            self.file(f'meshes/box{i}.obj', box_obj(size))
-        self.succeed('db', 'add-objects', address, 'meshes', '--units', 'mm')
-
+class Build(StoreTest):
     def start(self, address, *args, work=SMALL):
-        return subprocess.Popen([str(support.PROGRAM), 'db', 'build', address, *work, *args], cwd=self.folder,
-                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-
-    def content(self, address):
-        """All that a store holds, but for who made it, how long it took, and the order of the units."""
-        shutil.rmtree(self.folder / 'content', ignore_errors=True)
-        self.succeed('db', 'export', address, 'text:content')
-        content = {}
-        for file in sorted((self.folder / 'content').rglob('*.jsonl')):
-            lines = file.read_text().splitlines()
-            head = json.loads(lines[0])
-            head.pop('file', None)
-            for name in ('number', 'worker', 'seconds', 'lease_until'):
-                head.get('unit', {}).pop(name, None)
-            content[str(file.relative_to(self.folder / 'content'))] = [head, *lines[1:]]
-        return content
+        return super().start(address, *work, *args)
 
     def test_builds_verifies_and_has_nothing_left_to_do(self):
         self.store()

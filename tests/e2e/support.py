@@ -4,6 +4,7 @@
 
 usage of a test: X_test.py PROGRAM SOURCE_FOLDER [unittest options]
 """
+import contextlib
 import json
 import math
 import os
@@ -13,6 +14,7 @@ import sys
 import tempfile
 import time
 import unittest
+import unittest.mock
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
@@ -48,6 +50,13 @@ def test_data(*parts):
     if not path.exists():
         raise unittest.SkipTest(f'needs the test data (set EIGENGRASP_DATA): {path}')
     return path
+
+
+@contextlib.contextmanager
+def environment(**variables):
+    """Variables that the program sees meanwhile."""
+    with unittest.mock.patch.dict(os.environ, variables):
+        yield
 
 
 def run_in(folder, *args, timeout=120):

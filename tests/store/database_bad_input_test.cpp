@@ -220,7 +220,7 @@ TEST_F(BadServers, a_lock_of_another_client) {
 
 TEST_F(BadServers, a_server_that_goes_and_comes_back) {
   const std::string address = filled("postgresql");
-  const auto store = open_store(address);
+  const auto store = open_store(address, {.retry_seconds = 0.0});
   EXPECT_EQ(store->counts().grasps, 40);
   PostgresServer::instance()->stop();
   expect_sentence(error_of([&] {

@@ -157,7 +157,9 @@ TEST_P(StoreLaws, all_of_a_call_or_nothing) {
 TEST_P(StoreLaws, units_are_claimed_in_order_and_end_once) {
   EXPECT_EQ(store_->add_units({plane_, glass_, small_glass_, plane_}), 3u);
   EXPECT_EQ(store_->add_units({glass_}), 0u);
+  EXPECT_TRUE(store_->claimed_units().empty());
   EXPECT_EQ(store_->claim_unit("a", 60.0), plane_);
+  EXPECT_EQ(store_->claimed_units(), std::vector<StoredUnit>{store_->units().at(0)});
   EXPECT_EQ(store_->claim_unit("b", 60.0), glass_);
   EXPECT_TRUE(store_->finish_unit(done(plane_, 2, 1)));
   EXPECT_EQ(store_->claim_unit("a", 60.0), small_glass_);

@@ -206,6 +206,14 @@ TEST(BadMesh, ScaleMustBePositiveAndFinite) {
             ": reaches 1e+09 m from its origin, expected at most 1000 km; check the units and the scale");
 }
 
+TEST(BadMesh, TheSizeIsJudgedAfterBothScales) {
+  const fs::path huge = source_path("tests/fuzz/corpus/mesh/bad_huge.obj");
+  const TriangleMesh mesh = load_mesh(huge, {.scale = 1.0, .later_scale = 1e-9});
+  EXPECT_EQ(bounding_box(mesh).size().maxCoeff(), 1e9);  // its vertices are not rescaled yet
+  const fs::path cube = source_path("tests/fuzz/corpus/mesh/ok_cube.obj");
+  EXPECT_THROW(load_mesh(cube, {.scale = 10.0, .later_scale = 1e6}), Error);
+}
+
 /// Files that are cut anywhere are read or refused; text formats may end after a whole number.
 TEST(BadMesh, CutAnywhereNeverCrashes) {
   const fs::path file = fs::temp_directory_path() / fmt::format("eigengrasp_cut_{}", ::getpid());

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "eigengrasp/core/log.hpp"
 #include "eigengrasp/database/store_records.hpp"
 
 namespace eigengrasp {
@@ -42,6 +43,8 @@ class GraspStore {
   /// Adds units that wait; those that are there stay as they are. @returns the number of new ones.
   virtual std::size_t add_units(const std::vector<UnitKey>& keys) = 0;
   virtual std::vector<StoredUnit> units() = 0;
+  /// Those of them that are claimed. Cost: does not grow with the number of units that have ended.
+  virtual std::vector<StoredUnit> claimed_units() = 0;
 
   /// The first unit that waits, or whose lease has ended, is the worker's for some seconds. No two callers
   /// get the same unit while the lease lasts. Cost: does not grow with the number of units that are done.
@@ -84,6 +87,12 @@ enum class StoreAccess {
 struct StoreOptions {
   StoreAccess access = StoreAccess::write;
   double lock_seconds = 10.0;  ///< how long a write waits for another program's
+  /// PostgreSQL: how long a call is made again where the server goes away or ends the transaction because of
+  /// others.
+  double retry_seconds = 60.0;
+  bool await_server =
+      false;         ///< so also where no server answers at the opening; else that is an Error at once
+  LogSink log = {};  ///< hears of such a wait and of its end
 };
 
 /// Opens a store (docs/grasp-store.md):

@@ -19,7 +19,7 @@ namespace eigengrasp {
 /// An object. Its geometry is the file's coordinates times rescale, and times the scale of a work unit.
 struct StoredModel {
   std::string name;
-  std::string geometry_path;  ///< as the program that added it saw it
+  std::string geometry_path;  ///< as the program that added it saw it; or library:NAME (jobs)
   std::string content_hash;   ///< of the geometry file's bytes (content_hash)
   std::vector<std::string> tags;
   double rescale = 1.0;  ///< file units to metres at scale 1, > 0

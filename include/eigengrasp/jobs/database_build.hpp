@@ -26,7 +26,10 @@ struct BuildOptions {
   bool retry_failed = false;
   bool only_waiting = false;  ///< adds nothing to the store: units that wait are built, of whatever scale
   std::shared_ptr<PreparationCache> cache = {};  ///< of what is made of the hands' meshes
-  const StopFlag* stop = nullptr;                ///< ends the units in hand without outcome; they wait again
+  /// How long units stay with a worker that is not heard of any more. A unit that takes longer is planned
+  /// twice, and stored once. 0: three time limits and two minutes.
+  double lease = 0.0;
+  const StopFlag* stop = nullptr;  ///< ends the units in hand without outcome; they wait again
   std::function<void(const BuildProgress&)> progress = {};  ///< called by one thread at a time; may be empty
 
   /// All violations as sentences: name, value, bound.
@@ -43,11 +46,11 @@ void add_work(GraspStore& store, const BuildOptions& options);
 
 /// Plans grasps for every object of the store at every scale with every hand, unit by unit (section V-C). A
 /// unit is stored as soon as it ends: where the program is killed, what is in hand is lost and waits again,
-/// at once if the next call is on the same machine, else when the lease of the claim ends. What waited before
-/// with other hands or scales is built as well. Any number of calls, on any machines, may build one store. An
-/// object is read and prepared once for all its units. A call that finds nothing to claim waits for what
-/// others hold, as their leases may end: when it returns, every unit has ended. What is stored does not
-/// depend on jobs, interruptions or order.
+/// as soon as another call on the same machine starts or waits, else when the lease of the claim ends. What
+/// waited before with other hands or scales is built as well. Any number of calls, on any machines, may build
+/// one store. An object is read and prepared once for all its units. A call that finds nothing to claim waits
+/// for what others hold, as their leases may end: when it returns, every unit has ended. What is stored does
+/// not depend on jobs, interruptions or order.
 /// @throws Error where the options are not sound, the store cannot be written, or units wait for a hand that
 /// is not given
 BuildReport build_database(GraspStore& store, const BuildOptions& options);

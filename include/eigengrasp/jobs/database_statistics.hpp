@@ -53,8 +53,8 @@ struct BuildStatus {
   StoreCounts counts;
   std::vector<ActiveHost> hosts;
   double mean_seconds = 0.0;  ///< of a unit that ended, over all
-  double rate = 0.0;          ///< units a second that the active workers make at that pace
-  double remaining = 0.0;     ///< [s] at that rate; infinity without workers
+  double rate = 0.0;          ///< units a second at most: if each active worker has a core of its own
+  double remaining = 0.0;     ///< [s] at that rate, at least; infinity without workers
   std::vector<std::pair<UnitKey, std::string>> failures;  ///< the newest of the store's order last
 };
 

@@ -22,6 +22,13 @@ PreparedHand prepare_hand(std::shared_ptr<const HandModel> hand, int threads, Pr
 /// What a store keeps of a hand.
 StoredHand hand_record(const HandModel& hand);
 
+/// What the geometry_path of an object of the library begins with; the object's name follows. Such a store is
+/// good on every machine.
+inline constexpr const char* kLibraryPath = "library:";
+
+/// The file of an object's geometry on this machine. @throws Error where the library has no such object
+std::filesystem::path geometry_file(const StoredModel& model);
+
 /// An object of a store at scale 1, in metres. @throws Error where the geometry is missing, damaged, without
 /// area, or another one than was added to the store
 ObjectModel load_stored_object(const StoredModel& model);

@@ -34,4 +34,11 @@ std::filesystem::path find_hand(const std::string& name_or_path);
 /// @throws Error that lists the known names, with the nearest.
 std::filesystem::path find_object(const std::string& name_or_path);
 
+/// The path of the known object of a name. @throws as find_object
+std::filesystem::path find_library_object(const std::string& name);
+
+/// The SQLite file of the grasps that are shipped: grasps/shipped.db of the data folder. @throws Error where
+/// there is none
+std::filesystem::path find_shipped_grasps();
+
 }  // namespace eigengrasp

@@ -14,6 +14,7 @@ struct ObjectReadOptions {
   /// for all others.
   std::string units = {};
   double scale = 1.0;         ///< the object is made this many times larger
+  double later_scale = 1.0;   ///< by which the caller rescales it: a mesh's size is judged after it
   std::string name = {};      ///< empty: the file's name without its ending
   std::string material = {};  ///< empty: what the file says
 };
