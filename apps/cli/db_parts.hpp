@@ -19,6 +19,11 @@ inline std::unique_ptr<GraspStore> open_to_read(const std::string& address) {
   return open_store(address, {.access = StoreAccess::read});
 }
 
+/// A store that must be there, to be added to.
+inline std::unique_ptr<GraspStore> open_to_update(const std::string& address) {
+  return open_store(address, {.access = StoreAccess::update});
+}
+
 /// What a build on a Slurm cluster is given.
 struct SlurmChoice {
   std::vector<std::string> sbatch_options;  ///< such as --partition=cpu
@@ -32,6 +37,7 @@ void submit_to_slurm(const std::string& store, const SlurmChoice& choice);
 void add_db_build(CLI::App& db, int& exit_code);
 void add_db_status(CLI::App& db);
 void add_db_stats(CLI::App& db);
+void add_db_describe(CLI::App& db, int& exit_code);
 void add_db_verify(CLI::App& db, int& exit_code);
 /// A command of 'eigengrasp reproduce'.
 void add_reproduce_table3(CLI::App& reproduce);

@@ -6,6 +6,7 @@
 #include "eigengrasp/core/error.hpp"
 #include "eigengrasp/core/files.hpp"
 #include "eigengrasp/geometry/mass_properties.hpp"
+#include "eigengrasp/geometry/mesh_io.hpp"
 #include "eigengrasp/model_io/object_io.hpp"
 
 namespace eigengrasp {
@@ -20,16 +21,38 @@ CollisionModel::Options one_thread() {
 
 }  // namespace
 
-ObjectModel load_stored_object(const StoredModel& model) {
+namespace {
+
+void require_unchanged(const StoredModel& model) {
   if (content_hash(read_text_file(model.geometry_path)) != model.content_hash)
     fail("{}: has changed since it was added to the store", model.geometry_path);
+}
+
+void require_surface(const TriangleMesh& mesh, const std::string& path) {
+  if (inspect_mesh(mesh).degenerate_triangles >= static_cast<int>(mesh.triangles.size()))
+    fail("{}: none of its {} triangles has an area, expected a surface", path, mesh.triangles.size());
+}
+
+}  // namespace
+
+TriangleMesh load_stored_mesh(const StoredModel& model) {
+  require_unchanged(model);
+  ObjectReadOptions options;
+  options.units = "m";
+  TriangleMesh mesh = is_mesh_file(model.geometry_path) ? load_mesh(model.geometry_path)
+                                                        : load_object(model.geometry_path, options).mesh;
+  require_surface(mesh, model.geometry_path);
+  transform(mesh, Pose::Identity(), model.rescale);
+  return mesh;
+}
+
+ObjectModel load_stored_object(const StoredModel& model) {
+  require_unchanged(model);
   ObjectReadOptions options;
   options.units = "m";
   const ObjectModel in_units = load_object(model.geometry_path, options);
   TriangleMesh mesh = in_units.mesh;
-  if (inspect_mesh(mesh).degenerate_triangles >= static_cast<int>(mesh.triangles.size()))
-    fail("{}: none of its {} triangles has an area, expected a surface", model.geometry_path,
-         mesh.triangles.size());
+  require_surface(mesh, model.geometry_path);
   transform(mesh, Pose::Identity(), model.rescale);
   const Vec3 center = model.rescale * in_units.center_of_mass;
   ObjectModel object = make_object(model.name, std::move(mesh), &center);
