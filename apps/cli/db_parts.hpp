@@ -39,7 +39,8 @@ void add_db_status(CLI::App& db);
 void add_db_stats(CLI::App& db);
 void add_db_describe(CLI::App& db, int& exit_code);
 void add_db_verify(CLI::App& db, int& exit_code);
-/// A command of 'eigengrasp reproduce'.
+// Commands of 'eigengrasp reproduce'.
 void add_reproduce_table3(CLI::App& reproduce);
+void add_reproduce_figure12(CLI::App& reproduce, int& exit_code);
 
 }  // namespace eigengrasp::cli

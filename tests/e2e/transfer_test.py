@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: The eigengrasp authors
-"""eigengrasp db describe and transfer on a small store of boxes."""
+"""eigengrasp db describe, transfer and reproduce figure12 on a small store of boxes."""
 import json
 import shutil
 import signal
@@ -154,9 +154,33 @@ class Transfer(EndToEnd):
         self.refuse(['transfer', 'cube', *to, '--min-epsilon', '-1'], 'min epsilon')
         self.file('flat.obj', 'v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n')
         self.refuse(['transfer', 'flat.obj', *to], 'flat.obj')
+        (self.folder / 'r').mkdir()
         self.file('none/one.obj', box_obj((1, 1, 1)))
         self.succeed('db', 'add-objects', 'sqlite:bare.db', 'none')
         self.refuse(['transfer', 'one', '--store', 'sqlite:bare.db', '--hand', 'human'], 'holds no grasps', 'db build')
+        self.refuse(['reproduce', 'figure12', '--store', 'sqlite:bare.db', '--out', 'r'], 'db build')
+
+    def test_figure12(self):
+        self.store()
+        args = ['reproduce', 'figure12', '--store', 'sqlite:g.db', '--neighbors', '2', '--out', 'results']
+        self.succeed(*args)
+        for name in ('figure12.md', 'figure12.json', 'figure12/human.svg', 'figure12/human.png',
+                     'figure12/barrett-rubber.svg', 'figure12/barrett-rubber.png'):
+            self.assertTrue((self.folder / 'results' / name).is_file(), name)
+        self.assertFalse((self.folder / 'results/figure12-progress.jsonl').exists())
+        first = json.loads((self.folder / 'results/figure12.json').read_text())
+        self.assertEqual(first['models'], 4)
+        for hand in first['hands']:
+            self.assertEqual([c['method'] for c in hand['curves']], ['class', 'zernike', 'random', 'planner'])
+            for curve in hand['curves']:
+                self.assertEqual(curve['epsilon'], sorted(curve['epsilon'], reverse=True))
+                self.assertGreater(curve['epsilon'][0], 0.0)
+        self.succeed(*args, '--threads', '1')
+        second = json.loads((self.folder / 'results/figure12.json').read_text())
+        curves = [[c['epsilon'] for h in f['hands'] for c in h['curves']] for f in (first, second)]
+        self.assertEqual(*curves)
+        thin = self.succeed(*args, '--every', '2', '--models', '1')
+        self.assertIn('1 models', thin.stdout)
 
 
 if __name__ == '__main__':
