@@ -15,6 +15,7 @@ enum ExitCode : int {
 
 // Each adds one command, whose callback sets exit_code where it does not end in success.
 void add_plan_command(CLI::App& app, int& exit_code);
+void add_transfer_command(CLI::App& app, int& exit_code);
 void add_evaluate_command(CLI::App& app);
 void add_quality_command(CLI::App& app);
 void add_render_command(CLI::App& app);

@@ -36,7 +36,7 @@ void print_info(const DbChoice& choice) {
   for (const GraspSource& s : store->sources()) fmt::print("source      {}: {}\n", s.name, s.description);
   fmt::print("units       {} done, {} failed, {} claimed, {} waiting\n", c.done, c.failed, c.claimed,
              c.waiting);
-  fmt::print("neighbours  {}\nalignments  {}\n", c.neighbors, c.alignments);
+  fmt::print("descriptors {}\nneighbours  {}\nalignments  {}\n", c.descriptors, c.neighbors, c.alignments);
 }
 
 void print_list(const DbChoice& choice) {
@@ -210,6 +210,7 @@ void add_db_command(CLI::App& app, int& exit_code) {
   add_db_status(*db);
   add_db_stats(*db);
   add_db_verify(*db, exit_code);
+  add_db_describe(*db, exit_code);
   add_reading(*db, choice);
   add_copying(*db, choice);
 }

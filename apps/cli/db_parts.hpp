@@ -23,6 +23,11 @@ std::unique_ptr<GraspStore> open_to_read(const std::string& address);
 /// @param await_server also where none answers now: one that starts again
 std::unique_ptr<GraspStore> open_to_write(const std::string& address, bool await_server = false);
 
+/// A store that must be there, to be added to.
+inline std::unique_ptr<GraspStore> open_to_update(const std::string& address) {
+  return open_store(address, {.access = StoreAccess::update});
+}
+
 /// What a build on a Slurm cluster is given.
 struct SlurmChoice {
   std::vector<std::string> sbatch_options;  ///< such as --partition=cpu
@@ -36,8 +41,10 @@ void submit_to_slurm(const std::string& store, const SlurmChoice& choice);
 void add_db_build(CLI::App& db, int& exit_code);
 void add_db_status(CLI::App& db);
 void add_db_stats(CLI::App& db);
+void add_db_describe(CLI::App& db, int& exit_code);
 void add_db_verify(CLI::App& db, int& exit_code);
-/// A command of 'eigengrasp reproduce'.
+// Commands of 'eigengrasp reproduce'.
 void add_reproduce_table3(CLI::App& reproduce);
+void add_reproduce_figure12(CLI::App& reproduce, int& exit_code);
 
 }  // namespace eigengrasp::cli

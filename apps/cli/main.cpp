@@ -43,6 +43,7 @@ int main(int argc, char** argv) {
       "  eigengrasp db add-objects sqlite:grasps.db meshes --units mm");
   int exit_code = eigengrasp::cli::success;
   eigengrasp::cli::add_plan_command(app, exit_code);
+  eigengrasp::cli::add_transfer_command(app, exit_code);
   eigengrasp::cli::add_evaluate_command(app);
   eigengrasp::cli::add_quality_command(app);
   eigengrasp::cli::add_render_command(app);

@@ -5,14 +5,9 @@
 #include "cli/commands.hpp"
 #include "cli/interrupt_guard.hpp"
 #include "cli/plan_options_cli.hpp"
+#include "cli/plan_outputs.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/scene_options.hpp"
-#include "eigengrasp/core/files.hpp"
-#include "eigengrasp/render/image.hpp"
-#include "eigengrasp/render/pictures.hpp"
-#include "eigengrasp/report/grasp_file.hpp"
-#include "eigengrasp/report/grasp_glb.hpp"
-#include "eigengrasp/report/grasp_tables.hpp"
 
 namespace eigengrasp::cli {
 
@@ -21,9 +16,7 @@ namespace {
 struct PlanChoice {
   SceneChoice scene;
   PlannerChoice planner;
-  std::filesystem::path out;
-  int rows = 20;
-  bool pictures = true;
+  PlanOutputs outputs;
 };
 
 /// Ctrl-C ends the search, not the program.
@@ -40,44 +33,24 @@ PlanResult plan_with_progress(const Scene& scene, PlanOptions options) {
   return plan_grasps(scene, options);
 }
 
-void write_files(const Scene& scene, const PlanChoice& choice, const GraspFile& file) {
-  const auto& grasps = file.result.grasps;
-  save_grasps(file, choice.out / "grasps.json");
-  save_grasps_csv(grasps, choice.out / "grasps.csv");
-  if (grasps.empty() || !choice.pictures) return;
-  PictureOptions picture;
-  picture.threads = file.options.threads;
-  picture.heading =
-      fmt::format("{}  -  {}: {} of {} pre-grasps form-closed",
-                  scene.hand->title.empty() ? scene.hand->name : scene.hand->title, scene.object->name,
-                  file.result.candidates.form_closed, file.result.candidates.tested);
-  save_png(grasps_picture(scene, grasps, picture), choice.out / "grasps.png");
-  save_grasp_glb(scene, grasps.front(), choice.out / "grasps.glb");
-}
-
 void print_summary(const Scene& scene, const PlanResult& result, const PlanChoice& choice) {
-  fmt::print("{} on {} (radius {:.0f} mm)\n", scene.hand->name, scene.object->name,
-             1000.0 * scene.object->max_radius);
-  if (!result.grasps.empty()) fmt::print("{}", grasps_table(*scene.hand, result.grasps, choice.rows));
-  fmt::print("{}{}\n", result.stopped_early ? "stopped early; " : "", result.explanation);
+  print_grasps(scene, result, choice.outputs);
   const PlanTimings& t = result.timings;
   fmt::print(
       "{} states in {:.3f} s, {} pre-grasps closed and rated in {:.3f} s, volumes of the kept ones {:.2f} s, "
       "preparation {:.2f} s\n",
       result.states.evaluated, t.anneal, result.closed_on_the_way, t.close, t.volume, t.prepare);
-  fmt::print("written to {}\n", choice.out.string());
+  fmt::print("written to {}\n", choice.outputs.folder.string());
 }
 
 int run_plan(PlanChoice choice) {
   const Scene scene = load_scene(choice.scene);
   const PlanOptions options = understand(choice.planner, *scene.hand);
   require_sound(options, *scene.hand);
-  if (choice.out.empty())
-    choice.out = std::filesystem::path("out") / (scene.object->name + "-" + scene.hand->name);
-  require_writable_folder(choice.out);
+  choice.outputs.require_folder(scene.object->name + "-" + scene.hand->name);
   PlanResult result = plan_with_progress(scene, options);
   const GraspFile file = make_grasp_file(scene, object_units(choice.scene), options, std::move(result));
-  write_files(scene, choice, file);
+  write_plan_files(scene, file, choice.outputs);
   print_summary(scene, file.result, choice);
   return file.result.status == PlanStatus::found ? success : nothing_found;
 }
@@ -90,10 +63,7 @@ void add_plan_command(CLI::App& app, int& exit_code) {
   command->add_option("object", choice->scene.object, "Mesh file, GraspIt! body, or a shipped object's name");
   add_scene_options(*command, choice->scene);
   add_planner_options(*command, choice->planner);
-  command->add_option("--out", choice->out,
-                      "Folder for grasps.json, .csv, .png, .glb (default: out/OBJECT-HAND)");
-  command->add_option("--rows", choice->rows, "Lines of the table (0: all)");
-  command->add_flag("!--no-pictures", choice->pictures, "No grasps.png and grasps.glb");
+  add_output_options(*command, choice->outputs, "out/OBJECT-HAND");
   command->footer(
       "Examples:\n"
       "  eigengrasp plan glass --hand human\n"

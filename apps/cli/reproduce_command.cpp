@@ -154,6 +154,7 @@ void add_reproduce_command(CLI::App& app, int& exit_code) {
       "Exit code: 0, 1 stopped by Ctrl-C (nothing is written), 2 bad input.");
   add_reproduce_table3(*reproduce);
   table2->callback([table2, choice, &exit_code] { exit_code = reproduce_table2(*table2, *choice); });
+  add_reproduce_figure12(*reproduce, exit_code);
   add_reproduce_retrieval(*reproduce, exit_code);
 }
 

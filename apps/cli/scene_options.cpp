@@ -112,6 +112,10 @@ void load_world(const SceneChoice& choice, Scene& scene) {
 }
 
 void load_object_choice(const SceneChoice& choice, Scene& scene) {
+  if (choice.loaded_object) {
+    scene.object = choice.loaded_object;
+    return;
+  }
   if (choice.object.empty())
     fail("no object is given; name a mesh file, one of 'eigengrasp object list', or a --world");
   ObjectReadOptions options;

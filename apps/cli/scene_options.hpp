@@ -26,6 +26,7 @@ struct HandChoice {
 /// Which scene, as the user says it.
 struct SceneChoice {
   std::string object;
+  std::shared_ptr<const ObjectModel> loaded_object;  ///< null: what `object` names is loaded
   HandChoice hand;
   std::string units;
   double scale = 1.0;

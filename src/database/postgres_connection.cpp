@@ -19,7 +19,7 @@ namespace {
 const SqlDialect& postgres_dialect() {
   static const std::string first = std::string(kPostgresSchema1) + kPostgresClientFunctions1;
   static const SqlDialect dialect = {
-      .migrations = {first.c_str()},
+      .migrations = {first.c_str(), kPostgresSchema2},
       .count_tables =
           "SELECT count(*) FROM information_schema.tables WHERE table_schema = current_schema() AND "
           "table_name = $1",

@@ -176,4 +176,16 @@ CREATE FUNCTION get_grasp_type_names() RETURNS TABLE (grasp_type_name TEXT) LANG
 AS $$ SELECT c.grasp_source_name FROM grasp_source c ORDER BY c.grasp_source_id $$;
 )sql";
 
+/// Version 2: descriptors of objects' shapes. A ball is its centre and radius.
+inline constexpr const char* kPostgresSchema2 = R"sql(
+CREATE TABLE descriptor (
+  descriptor_id SERIAL PRIMARY KEY,
+  original_model_id INTEGER NOT NULL REFERENCES original_model,
+  descriptor_function TEXT NOT NULL,
+  descriptor_route TEXT NOT NULL,
+  descriptor_ball DOUBLE PRECISION[] NOT NULL,
+  descriptor_invariants DOUBLE PRECISION[] NOT NULL,
+  UNIQUE (original_model_id, descriptor_function));
+)sql";
+
 }  // namespace eigengrasp

@@ -146,6 +146,15 @@ void require_sound(const UnitResult& r) {
   require_sound(r.key, r.grasps);
 }
 
+void require_sound(const StoredDescriptor& d) {
+  require_name(d.function, "a descriptor's function");
+  require_text(d.route, "a descriptor's route");
+  if (!d.center.allFinite()) fail("the centre of the descriptor of '{}' is not finite", d.model);
+  if (!(d.radius > 0.0) || !std::isfinite(d.radius))
+    fail("the radius of the descriptor of '{}' is {} m, expected more than 0", d.model, d.radius);
+  for (const double value : d.invariants) require_finite(value, "an invariant of the descriptor", d.model);
+}
+
 void require_sound(const StoredNeighbor& n) {
   require_name(n.distance_function, "a distance function");
   require_finite(n.distance, "the distance of a neighbour", n.model);

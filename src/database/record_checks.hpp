@@ -14,6 +14,7 @@ void require_name(const std::string& name, const char* what);
 void require_sound(const StoredModel& model);
 void require_sound(const StoredHand& hand);
 void require_sound(const UnitResult& result);
+void require_sound(const StoredDescriptor& descriptor);
 void require_sound(const StoredNeighbor& neighbor);
 void require_sound(const StoredAlignment& alignment);
 /// Finite numbers, and of the unit's object, scale and hand.

@@ -122,6 +122,21 @@ void from_line(const Json& line, GraspSource& s) {
   line.at("description").get_to(s.description);
 }
 
+Json to_line(const StoredDescriptor& d) {
+  return {{"model", d.model},   {"function", d.function},
+          {"route", d.route},   {"center", numbers({d.center.data(), 3})},
+          {"radius", d.radius}, {"invariants", d.invariants}};
+}
+
+void from_line(const Json& line, StoredDescriptor& d) {
+  line.at("model").get_to(d.model);
+  line.at("function").get_to(d.function);
+  line.at("route").get_to(d.route);
+  read_numbers(line.at("center"), {d.center.data(), 3});
+  line.at("radius").get_to(d.radius);
+  line.at("invariants").get_to(d.invariants);
+}
+
 Json to_line(const StoredNeighbor& n) {
   return {{"model", n.model},
           {"neighbor", n.neighbor},

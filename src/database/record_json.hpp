@@ -13,6 +13,7 @@ namespace eigengrasp {
 nlohmann::ordered_json to_line(const StoredModel& model);
 nlohmann::ordered_json to_line(const StoredHand& hand);
 nlohmann::ordered_json to_line(const GraspSource& source);
+nlohmann::ordered_json to_line(const StoredDescriptor& descriptor);
 nlohmann::ordered_json to_line(const StoredNeighbor& neighbor);
 nlohmann::ordered_json to_line(const StoredAlignment& alignment);
 nlohmann::ordered_json to_line(const StoredGrasp& grasp);  ///< without hand, object, scale and id
@@ -20,6 +21,7 @@ nlohmann::ordered_json to_line(const StoredGrasp& grasp);  ///< without hand, ob
 void from_line(const nlohmann::ordered_json& line, StoredModel& model);
 void from_line(const nlohmann::ordered_json& line, StoredHand& hand);
 void from_line(const nlohmann::ordered_json& line, GraspSource& source);
+void from_line(const nlohmann::ordered_json& line, StoredDescriptor& descriptor);
 void from_line(const nlohmann::ordered_json& line, StoredNeighbor& neighbor);
 void from_line(const nlohmann::ordered_json& line, StoredAlignment& alignment);
 void from_line(const nlohmann::ordered_json& line, StoredGrasp& grasp);

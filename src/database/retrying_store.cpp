@@ -142,6 +142,14 @@ std::vector<StoredGrasp> RetryingStore::grasps(const std::string& model, const s
   return persist([&] { return store_->grasps(model, hand); });
 }
 
+void RetryingStore::set_descriptors(const std::vector<StoredDescriptor>& descriptors) {
+  persist([&] { store_->set_descriptors(descriptors); });
+}
+
+std::vector<StoredDescriptor> RetryingStore::descriptors() {
+  return persist([&] { return store_->descriptors(); });
+}
+
 void RetryingStore::set_neighbors(const std::vector<StoredNeighbor>& neighbors) {
   persist([&] { store_->set_neighbors(neighbors); });
 }

@@ -52,11 +52,12 @@ void prepare_schema(SqlConnection& connection, StoreAccess access) {
     fail("{}: is of version {}, and this program knows {} and older; use a newer eigengrasp",
          connection.place(), version, known);
   if (version == known) return;
-  if (access == StoreAccess::read && version == 0)
+  if (access != StoreAccess::write && version == 0)
     fail("{}: holds no grasp store; 'eigengrasp db add-objects' makes one", connection.place());
   if (access == StoreAccess::read)
     fail(
-        "{}: is of the older version {}; any command that writes, such as 'eigengrasp db import', updates it",
+        "{}: is of the older version {}; any command that writes, such as 'eigengrasp db describe', updates "
+        "it",
         connection.place(), version);
   migrate(connection);
 }

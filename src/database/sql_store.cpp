@@ -58,6 +58,7 @@ StoreCounts SqlStore::counts() {
   c.scaled_models = count("SELECT count(*) FROM scaled_model");
   c.hands = count("SELECT count(*) FROM hand");
   c.sources = count("SELECT count(*) FROM grasp_source");
+  c.descriptors = count("SELECT count(*) FROM descriptor");
   c.neighbors = count("SELECT count(*) FROM neighbor");
   c.alignments = count("SELECT count(*) FROM alignment");
   db_->run("SELECT work_unit_state, count(*) FROM work_unit GROUP BY work_unit_state", {},

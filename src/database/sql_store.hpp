@@ -33,6 +33,8 @@ class SqlStore : public GraspStore {
   std::size_t reopen_failed_units() override;
   void add_grasps(const UnitKey& key, const std::vector<StoredGrasp>& grasps) override;
   std::vector<StoredGrasp> grasps(const std::string& model, const std::string& hand) override;
+  void set_descriptors(const std::vector<StoredDescriptor>& descriptors) override;
+  std::vector<StoredDescriptor> descriptors() override;
   void set_neighbors(const std::vector<StoredNeighbor>& neighbors) override;
   std::vector<StoredNeighbor> neighbors() override;
   void set_alignments(const std::vector<StoredAlignment>& alignments) override;

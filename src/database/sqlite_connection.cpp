@@ -25,7 +25,7 @@ constexpr std::int64_t kApplicationId = 0x65676772;  // "eggr", in the file's he
 
 const SqlDialect& sqlite_dialect() {
   static const SqlDialect dialect = {
-      .migrations = {kSqliteSchema1},
+      .migrations = {kSqliteSchema1, kSqliteSchema2},
       .count_tables = "SELECT count(*) FROM sqlite_master WHERE type = 'table' AND name = $1",
       .lock_schema = "",
       .clock = "((julianday('now') - 2440587.5) * 86400.0)",
@@ -170,7 +170,8 @@ class SqliteConnection : public SqlConnection {
     const bool reading = options_.access == StoreAccess::read;
     std::error_code ec;
     if (fs::is_directory(file_, ec)) fail("sqlite:{}: is a folder, expected a file", file_);
-    if (reading && !fs::exists(file_, ec)) fail("sqlite:{}: there is no such file", file_);
+    if (options_.access != StoreAccess::write && !fs::exists(file_, ec))
+      fail("sqlite:{}: there is no such file", file_);
     const bool frozen = reading && is_frozen(file_);
     const std::string name = frozen ? frozen_uri(file_) : file_;
     // A reader opens for writing as well, so that it can take away the log's files when it is the last; that

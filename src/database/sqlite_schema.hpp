@@ -78,4 +78,16 @@ CREATE TABLE alignment (
   UNIQUE (original_model_id, alignment_original_model_id, alignment_method_id));
 )sql";
 
+/// Version 2: descriptors of objects' shapes. A ball is its centre and radius.
+inline constexpr const char* kSqliteSchema2 = R"sql(
+CREATE TABLE descriptor (
+  descriptor_id INTEGER PRIMARY KEY,
+  original_model_id INTEGER NOT NULL REFERENCES original_model,
+  descriptor_function TEXT NOT NULL,
+  descriptor_route TEXT NOT NULL,
+  descriptor_ball TEXT NOT NULL,
+  descriptor_invariants TEXT NOT NULL,
+  UNIQUE (original_model_id, descriptor_function));
+)sql";
+
 }  // namespace eigengrasp

@@ -4,6 +4,7 @@
 #include "database/text_store.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 #include "database/record_checks.hpp"
 #include "database/record_json.hpp"
@@ -41,9 +42,10 @@ void make_store(const fs::path& folder, const std::string& place) {
 TextStore::TextStore(const fs::path& folder, const StoreOptions& options)
     : folder_(folder), options_(options) {
   std::error_code ec;
-  const bool writing = options.access == StoreAccess::write;
+  const bool writing = options.access != StoreAccess::read;
   if (!fs::exists(folder_ / kMark, ec)) {
-    if (!writing) fail("{}: is no grasp store (there is no {} in it)", place(), kMark);
+    if (options.access != StoreAccess::write)
+      fail("{}: is no grasp store (there is no {} in it)", place(), kMark);
     make_store(folder_, place());
   }
   if (writing) require_writable_folder(folder_);
@@ -74,6 +76,7 @@ void TextStore::read_folder() {
   read_list("models", models_);
   read_list("hands", hands_);
   read_list("sources", sources_);
+  read_list("descriptors", descriptors_);
   read_list("neighbors", neighbors_);
   read_list("alignments", alignments_);
   const fs::path grasps = folder_ / "grasps";
@@ -88,6 +91,7 @@ StoreCounts TextStore::counts() {
   c.models = static_cast<std::int64_t>(models_.size());
   c.hands = static_cast<std::int64_t>(hands_.size());
   c.sources = static_cast<std::int64_t>(sources_.size());
+  c.descriptors = static_cast<std::int64_t>(descriptors_.size());
   c.neighbors = static_cast<std::int64_t>(neighbors_.size());
   c.alignments = static_cast<std::int64_t>(alignments_.size());
   for (const StoredModel& m : models_) c.scaled_models += static_cast<std::int64_t>(m.scales.size());
@@ -160,6 +164,10 @@ std::vector<GraspSource> TextStore::sources() {
   const std::lock_guard lock(mutex_);
   return sources_;
 }
+std::vector<StoredDescriptor> TextStore::descriptors() {
+  const std::lock_guard lock(mutex_);
+  return descriptors_;
+}
 std::vector<StoredNeighbor> TextStore::neighbors() {
   const std::lock_guard lock(mutex_);
   return neighbors_;
@@ -171,21 +179,36 @@ std::vector<StoredAlignment> TextStore::alignments() {
 
 namespace {
 
-/// Puts each record in the place of the one that it is the same as, else behind all.
-template <typename Record, typename Same>
-std::vector<Record> merged(std::vector<Record> all, const std::vector<Record>& records, Same same) {
+/// Puts each record in the place of the one of the same key, else behind all.
+template <typename Record, typename Key>
+std::vector<Record> merged(std::vector<Record> all, const std::vector<Record>& records, Key key) {
+  std::map<decltype(key(records.front())), std::size_t> places;
+  for (std::size_t i = 0; i < all.size(); ++i) places.emplace(key(all[i]), i);
   for (const Record& r : records) {
-    const auto old = std::find_if(all.begin(), all.end(), [&](const Record& o) { return same(o, r); });
-    if (old == all.end()) {
+    const auto [place, fresh] = places.emplace(key(r), all.size());
+    if (fresh) {
       all.push_back(r);
     } else {
-      *old = r;
+      all[place->second] = r;
     }
   }
   return all;
 }
 
 }  // namespace
+
+void TextStore::set_descriptors(const std::vector<StoredDescriptor>& descriptors) {
+  const std::lock_guard lock(mutex_);
+  require_writable();
+  for (const StoredDescriptor& d : descriptors) {
+    require_sound(d);
+    require_model(d.model);
+  }
+  auto next = merged(descriptors_, descriptors,
+                     [](const StoredDescriptor& d) { return std::tuple(d.model, d.function); });
+  write_list("descriptors", next);
+  descriptors_ = std::move(next);
+}
 
 void TextStore::set_neighbors(const std::vector<StoredNeighbor>& neighbors) {
   const std::lock_guard lock(mutex_);
@@ -195,8 +218,8 @@ void TextStore::set_neighbors(const std::vector<StoredNeighbor>& neighbors) {
     require_model(n.model);
     require_model(n.neighbor);
   }
-  auto next = merged(neighbors_, neighbors, [](const StoredNeighbor& a, const StoredNeighbor& b) {
-    return a.model == b.model && a.neighbor == b.neighbor && a.distance_function == b.distance_function;
+  auto next = merged(neighbors_, neighbors, [](const StoredNeighbor& n) {
+    return std::tuple(n.model, n.neighbor, n.distance_function);
   });
   write_list("neighbors", next);
   neighbors_ = std::move(next);
@@ -210,9 +233,8 @@ void TextStore::set_alignments(const std::vector<StoredAlignment>& alignments) {
     require_model(a.model);
     require_model(a.target);
   }
-  auto next = merged(alignments_, alignments, [](const StoredAlignment& a, const StoredAlignment& b) {
-    return a.model == b.model && a.target == b.target && a.method == b.method;
-  });
+  auto next = merged(alignments_, alignments,
+                     [](const StoredAlignment& a) { return std::tuple(a.model, a.target, a.method); });
   write_list("alignments", next);
   alignments_ = std::move(next);
 }

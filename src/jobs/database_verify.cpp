@@ -13,6 +13,7 @@
 #include "eigengrasp/kinematics/forward_kinematics.hpp"
 #include "eigengrasp/planning/finger_closing.hpp"
 #include "eigengrasp/planning/grasp_energy.hpp"
+#include "eigengrasp/planning/pregrasp_rating.hpp"
 
 namespace eigengrasp {
 
@@ -55,6 +56,15 @@ bool is_ours(const Grasp& g, const HandModel& hand) {
          !g.grasp_joints.empty();
 }
 
+/// The same scene without distance fields.
+std::unique_ptr<const CollisionModel> without_fields(const CollisionModel& model, const PreparedHand& hand) {
+  CollisionModel::Options options;
+  options.fast = false;
+  options.threads = 1;
+  return std::make_unique<const CollisionModel>(model.scene(), options,
+                                                CollisionModel::Prepared{hand.surfaces, {}});
+}
+
 class Verification {
  public:
   Verification(GraspStore& store, const VerifyOptions& options) : store_(store), options_(options) {
@@ -76,7 +86,7 @@ class Verification {
 
 void Verification::verify_with(const PreparedHand& hand, const StoredModel& model,
                                std::unique_ptr<PreparedObject>& object, VerifyReport& report) {
-  std::unique_ptr<const CollisionModel> collision;
+  std::unique_ptr<const CollisionModel> collision, bare;
   double scale = 0.0;
   const std::vector<StoredGrasp> grasps = store_.grasps(model.name, hand.model->name);
   for (std::size_t i = 0; i < grasps.size(); i += static_cast<std::size_t>(options_.every)) {
@@ -89,9 +99,13 @@ void Verification::verify_with(const PreparedHand& hand, const StoredModel& mode
     ++report.grasps;
     try {
       if (!object) object = std::make_unique<PreparedObject>(model);
-      if (!collision || scale != g.object_scale) collision = object->collision_model(hand, g.object_scale);
+      if (!collision || scale != g.object_scale) {
+        collision = object->collision_model(hand, g.object_scale);
+        bare = without_fields(*collision, hand);
+      }
       scale = g.object_scale;
-      if (std::string why = difference(*collision, g); !why.empty())
+      const bool transferred = g.provenance.planner.starts_with(kTransferPlanner);
+      if (std::string why = difference(transferred ? *bare : *collision, g); !why.empty())
         report.bad.push_back({key, grasps[i].id, std::move(why)});
     } catch (const Error& e) {
       report.bad.push_back({key, grasps[i].id, e.what()});

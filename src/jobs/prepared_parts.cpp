@@ -6,6 +6,8 @@
 #include "eigengrasp/core/error.hpp"
 #include "eigengrasp/core/files.hpp"
 #include "eigengrasp/geometry/mass_properties.hpp"
+#include "eigengrasp/geometry/mesh_io.hpp"
+#include "eigengrasp/geometry/point_cloud.hpp"
 #include "eigengrasp/model_io/model_library.hpp"
 #include "eigengrasp/model_io/object_io.hpp"
 
@@ -26,18 +28,45 @@ std::filesystem::path geometry_file(const StoredModel& model) {
   return find_library_object(model.geometry_path.substr(std::string_view(kLibraryPath).size()));
 }
 
-ObjectModel load_stored_object(const StoredModel& model) {
+namespace {
+
+std::filesystem::path unchanged_file(const StoredModel& model) {
   const std::filesystem::path file = geometry_file(model);
   if (content_hash(read_text_file(file)) != model.content_hash)
     fail("{}: has changed since it was added to the store", file.string());
+  return file;
+}
+
+ObjectReadOptions read_options(const StoredModel& model) {
   ObjectReadOptions options;
   options.units = "m";
   options.later_scale = model.rescale;
-  const ObjectModel in_units = load_object(file, options);
-  TriangleMesh mesh = in_units.mesh;
+  return options;
+}
+
+void require_surface(const TriangleMesh& mesh, const std::filesystem::path& file) {
   if (inspect_mesh(mesh).degenerate_triangles >= static_cast<int>(mesh.triangles.size()))
     fail("{}: none of its {} triangles has an area, expected a surface", file.string(),
          mesh.triangles.size());
+}
+
+}  // namespace
+
+TriangleMesh load_stored_mesh(const StoredModel& model) {
+  const std::filesystem::path file = unchanged_file(model);
+  TriangleMesh mesh = is_mesh_file(file) && !is_point_cloud_file(file)
+                          ? load_mesh(file, {.scale = 1.0, .later_scale = model.rescale})
+                          : load_object(file, read_options(model)).mesh;
+  require_surface(mesh, file);
+  transform(mesh, Pose::Identity(), model.rescale);
+  return mesh;
+}
+
+ObjectModel load_stored_object(const StoredModel& model) {
+  const std::filesystem::path file = unchanged_file(model);
+  const ObjectModel in_units = load_object(file, read_options(model));
+  TriangleMesh mesh = in_units.mesh;
+  require_surface(mesh, file);
   transform(mesh, Pose::Identity(), model.rescale);
   const Vec3 center = model.rescale * in_units.center_of_mass;
   ObjectModel object = make_object(model.name, std::move(mesh), &center);

@@ -3,6 +3,7 @@
 #include "eigengrasp/planning/grasp_planner.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "eigengrasp/core/error.hpp"
 #include "eigengrasp/core/stop_watch.hpp"
@@ -15,6 +16,7 @@ namespace eigengrasp {
 namespace {
 
 void require_sound(const PlanOptions& options, const Scene& scene) {
+  if (options.search == SearchKind::transfer) throw std::logic_error("plan_grasps: a transfer has no search");
   const auto violations = options.validate(*scene.hand);
   if (violations.empty()) return;
   std::string all = violations.front();

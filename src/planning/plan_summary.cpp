@@ -10,7 +10,8 @@ std::string planner_name(const PlanOptions& options) {
   const char* const search = options.search == SearchKind::paper       ? "annealing"
                              : options.search == SearchKind::staged    ? "staged"
                              : options.search == SearchKind::tempering ? "tempering"
-                                                                       : "enhanced";
+                             : options.search == SearchKind::enhanced  ? "enhanced"
+                                                                       : "transfer";
   return fmt::format("{}/{}", search, options.energy == EnergyKind::wrench ? "wrench" : "contact");
 }
 

@@ -104,6 +104,16 @@ Image grasps_picture(const Scene& scene, std::span<const Grasp> grasps, const Pi
   return draw_grid(grid);
 }
 
+GraspTile grasp_tile(const Scene& scene, const Grasp& grasp, const PictureOptions& options) {
+  require_parts(scene);
+  const GraspDrawer drawer(scene, options);
+  std::vector<TileScene> tiles;
+  tiles.push_back(drawer.add(grasp.grasp_joints, grasp.X_OH));
+  drawer.frame(tiles.front(), grasp);
+  drawer.add_contacts(tiles.front().scene, grasp);
+  return {draw_tiles(tiles, options).front(), tiles.front().camera.forward};
+}
+
 Image grasp_pair_picture(const Scene& scene, const Grasp& grasp, const PictureOptions& options) {
   require_parts(scene);
   const GraspDrawer drawer(scene, options);

@@ -32,10 +32,11 @@ struct EnumNames {
   }
 };
 
-inline constexpr EnumNames<SearchKind, 4> kSearchNames{{{{SearchKind::paper, "paper"},
+inline constexpr EnumNames<SearchKind, 5> kSearchNames{{{{SearchKind::paper, "paper"},
                                                          {SearchKind::staged, "staged"},
                                                          {SearchKind::tempering, "tempering"},
-                                                         {SearchKind::enhanced, "enhanced"}}}};
+                                                         {SearchKind::enhanced, "enhanced"},
+                                                         {SearchKind::transfer, "transfer"}}}};
 inline constexpr EnumNames<EnergyKind, 2> kEnergyNames{
     {{{EnergyKind::contact, "contact"}, {EnergyKind::wrench, "wrench"}}}};
 inline constexpr EnumNames<WrenchNorm, 2> kNormNames{{{{WrenchNorm::l1, "l1"}, {WrenchNorm::linf, "linf"}}}};

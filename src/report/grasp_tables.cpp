@@ -8,29 +8,11 @@
 #include <vector>
 
 #include "eigengrasp/core/files.hpp"
+#include "eigengrasp/kinematics/hand_parts.hpp"
 
 namespace eigengrasp {
 
 namespace {
-
-/// The link of each finger's root: children of the first link with several, counted from the base. -1 for
-/// links between the base and there.
-std::vector<int> finger_roots(const HandModel& hand) {
-  std::vector<std::vector<int>> children(hand.links.size());
-  for (std::size_t j = 0; j < hand.joints.size(); ++j)
-    children[static_cast<std::size_t>(hand.joints[j].parent_link)].push_back(static_cast<int>(j) + 1);
-  std::vector<int> roots(hand.links.size(), -1);
-  std::size_t palm = 0;
-  while (children[palm].size() == 1) palm = static_cast<std::size_t>(children[palm].front());
-  for (std::size_t j = 0; j < hand.joints.size(); ++j) {
-    const auto parent = static_cast<std::size_t>(hand.joints[j].parent_link);
-    if (parent == palm)
-      roots[j + 1] = static_cast<int>(j) + 1;
-    else
-      roots[j + 1] = roots[parent];
-  }
-  return roots;
-}
 
 std::string csv_text(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;

@@ -143,8 +143,25 @@ TEST_F(BadStores, a_newer_schema) {
   for (const std::string& address : addresses)
     for (const StoreAccess access : {StoreAccess::read, StoreAccess::write})
       expect_sentence(open_error(address, access), {"is of version 7", "newer eigengrasp"});
-  run_sqlite(path_of(sqlite), "UPDATE eigengrasp_schema SET schema_version = 1");
+  run_sqlite(path_of(sqlite), "UPDATE eigengrasp_schema SET schema_version = 2");
   expect_intact(sqlite);
+}
+
+TEST_F(BadStores, an_older_schema_is_brought_up_to_date) {
+  std::vector<std::string> addresses = {filled("sqlite")};
+  run_sqlite(path_of(addresses.front()), "DROP TABLE descriptor");
+  run_sqlite(path_of(addresses.front()), "UPDATE eigengrasp_schema SET schema_version = 1");
+  if (available("postgresql")) {
+    addresses.push_back(filled("postgresql"));
+    PostgresServer::query(addresses.back(), "DROP TABLE descriptor");
+    PostgresServer::query(addresses.back(), "UPDATE eigengrasp_schema SET schema_version = 1");
+  }
+  for (const std::string& address : addresses) {
+    expect_sentence(open_error(address, StoreAccess::read), {"older version 1", "db describe"});
+    open_store(address);  // to write
+    expect_intact(address);
+    EXPECT_TRUE(open_store(address, {.access = StoreAccess::read})->descriptors().empty());
+  }
 }
 
 TEST_F(BadStores, a_text_line_cut_in_half) {

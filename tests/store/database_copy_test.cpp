@@ -32,6 +32,7 @@ class StoreCopy : public testing::StoreFixture {
     store.finish_unit(done({"psb_12", 1.5, "barrett"}, 3, 2));
     store.add_grasps({"psb_12", 1.0, "barrett"},
                      RandomGrasps(3).grasps({"psb_12", 1.0, "barrett"}, stored_hand("barrett", 7), 2));
+    store.set_descriptors({{"glass", "surface", "voxels", {0.1, 0.2, 0.3}, 0.5, {1.0 / 3.0, 0.25}}});
     store.set_neighbors({{"glass", "psb_12", "zernike", 1.0 / 3.0}});
     store.set_alignments({{"glass", "psb_12", "pca", RandomGrasps(4).pose().matrix()}});
   }
@@ -41,6 +42,7 @@ class StoreCopy : public testing::StoreFixture {
     EXPECT_EQ(a.hands(), b.hands());
     EXPECT_EQ(a.sources(), b.sources());
     EXPECT_EQ(a.units(), b.units());
+    EXPECT_EQ(a.descriptors(), b.descriptors());
     EXPECT_EQ(a.neighbors(), b.neighbors());
     EXPECT_EQ(a.alignments(), b.alignments());
     EXPECT_EQ(a.counts(), b.counts());

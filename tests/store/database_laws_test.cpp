@@ -281,6 +281,41 @@ TEST_P(StoreLaws, neighbours_and_alignments_take_the_place_of_old_ones) {
   EXPECT_TRUE(std::signbit(store_->alignments()[0].X_target_model(0, 3)));
 }
 
+TEST_P(StoreLaws, descriptors_read_back_equal_and_take_the_place_of_old_ones) {
+  const StoredDescriptor glass{
+      "glass", "surface", "voxels", {0.1, -0.0, 1e-300}, 1.0 / 3.0, {0.0, 5e-324, 1.0 / 7.0}};
+  StoredDescriptor plane{"psb_12", "surface", "voxels", {0.0, 0.0, 0.0}, 0.25, {1.0, 2.0}};
+  const StoredDescriptor solid{"psb_12", "solid", "moments", {0.0, 0.0, 0.0}, 0.25, {3.0}};
+  store_->set_descriptors({plane, glass});
+  plane.route = "moments";
+  plane.invariants = std::vector<double>(121, 0.1);
+  store_->set_descriptors({solid, plane});
+  StoredDescriptor bad = plane;
+  bad.invariants[7] = std::numeric_limits<double>::quiet_NaN();
+  expect_sentence(error_of([&] {
+                    store_->set_descriptors({glass, bad});
+                  }),
+                  {"invariant", "psb_12", "finite"});
+  bad = plane;
+  bad.radius = 0.0;
+  expect_sentence(error_of([&] { store_->set_descriptors({bad}); }), {"radius", "more than 0"});
+  bad = plane;
+  bad.model = "cup";
+  expect_sentence(error_of([&] { store_->set_descriptors({bad}); }), {"'cup'"});
+  reopen();
+  EXPECT_EQ(store_->descriptors(), (std::vector<StoredDescriptor>{plane, glass, solid}));
+  EXPECT_TRUE(std::signbit(store_->descriptors()[1].center.y()));
+  EXPECT_EQ(store_->counts().descriptors, 3);
+}
+
+TEST_P(StoreLaws, a_store_that_is_updated_is_not_made) {
+  store_.reset();
+  EXPECT_TRUE(open_store(address_, {.access = StoreAccess::update})->add_source({"more", ""}));
+  const std::string none = new_address(GetParam());
+  EXPECT_NE(error_of([&] { open_store(none, {.access = StoreAccess::update}); }), "(no error)");
+  EXPECT_NE(error_of([&] { open_store(none, {.access = StoreAccess::read}); }), "(no error)");
+}
+
 TEST_P(StoreLaws, a_store_that_is_read_is_not_changed) {
   store_->finish_unit(done(glass_, 2, 1));
   const auto expected = store_->grasps("glass", "human");

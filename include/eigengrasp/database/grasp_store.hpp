@@ -72,6 +72,9 @@ class GraspStore {
   /// All grasps of an object, at all scales, with a hand.
   virtual std::vector<StoredGrasp> grasps(const std::string& model, const std::string& hand) = 0;
 
+  /// A descriptor of the same object by the same function takes the place of the old one.
+  virtual void set_descriptors(const std::vector<StoredDescriptor>& descriptors) = 0;
+  virtual std::vector<StoredDescriptor> descriptors() = 0;
   /// A distance of the same pair by the same function takes the place of the old one. Alignments likewise.
   virtual void set_neighbors(const std::vector<StoredNeighbor>& neighbors) = 0;
   virtual std::vector<StoredNeighbor> neighbors() = 0;
@@ -80,8 +83,9 @@ class GraspStore {
 };
 
 enum class StoreAccess {
-  read,   ///< the store must be there; nothing of it is changed
-  write,  ///< made where it is missing, brought up to date where it is of an older version
+  read,    ///< the store must be there; nothing of it is changed
+  update,  ///< the store must be there; brought up to date where it is of an older version
+  write,   ///< as update, and made where it is missing
 };
 
 struct StoreOptions {

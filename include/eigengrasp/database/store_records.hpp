@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "eigengrasp/core/pose.hpp"
 #include "eigengrasp/grasp/grasp.hpp"
 
 namespace eigengrasp {
@@ -100,6 +101,18 @@ struct UnitResult {
   std::vector<StoredGrasp> grasps;  ///< best first; the order is kept
 };
 
+/// What describes an object's shape at scale 1, by a function (a name, such as "surface").
+struct StoredDescriptor {
+  std::string model;
+  std::string function;
+  std::string route;           ///< how it was made, such as "voxels"
+  Vec3 center = Vec3::Zero();  ///< of the ball that was the unit ball, in the object's frame [m]
+  double radius = 1.0;         ///< of that ball [m], > 0
+  std::vector<double> invariants;
+
+  bool operator==(const StoredDescriptor&) const = default;
+};
+
 /// How far another object is, by a distance function (a name, such as "zernike").
 struct StoredNeighbor {
   std::string model;
@@ -122,8 +135,8 @@ struct StoredAlignment {
 
 /// How much a store holds.
 struct StoreCounts {
-  std::int64_t models = 0, scaled_models = 0, hands = 0, sources = 0, grasps = 0, neighbors = 0,
-               alignments = 0;
+  std::int64_t models = 0, scaled_models = 0, hands = 0, sources = 0, grasps = 0, descriptors = 0,
+               neighbors = 0, alignments = 0;
   std::int64_t waiting = 0, claimed = 0, done = 0, failed = 0;            ///< units
   std::vector<std::pair<std::string, std::int64_t>> grasps_by_hand = {};  ///< in the order of the hands
 

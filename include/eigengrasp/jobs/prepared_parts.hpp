@@ -32,6 +32,8 @@ std::filesystem::path geometry_file(const StoredModel& model);
 /// An object of a store at scale 1, in metres. @throws Error where the geometry is missing, damaged, without
 /// area, or another one than was added to the store
 ObjectModel load_stored_object(const StoredModel& model);
+/// The surface alone, which costs a third. @throws as load_stored_object
+TriangleMesh load_stored_mesh(const StoredModel& model);
 
 /// An object of a store, read and prepared once for all its scales and hands. For one thread.
 class PreparedObject {

@@ -33,6 +33,7 @@ enum class SearchKind {
               ///< and trade them (parallel tempering)
   enhanced,  ///< section V-B: a parent looks for pre-grasps, each is refined towards form closure by a child,
              ///< and the parent keeps away from there; until as many grasps as wanted are found
+  transfer,  ///< section VI: none; pre-grasps of like objects are fitted, see rate_pregrasps
 };
 
 struct PlanProgress {

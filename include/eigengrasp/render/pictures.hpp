@@ -84,6 +84,13 @@ Image hands_side_by_side(std::span<const std::shared_ptr<const HandModel>> hands
 /// @throws Error where a grasp names a joint that the hand does not have.
 Image grasps_picture(const Scene& scene, std::span<const Grasp> grasps, const PictureOptions& options = {});
 
+/// A grasp without text, for sheets of pictures, and the direction that it is seen in.
+struct GraspTile {
+  Image image;
+  Vec3 view = Vec3::UnitX();  ///< into the scene, in the frame of the object
+};
+GraspTile grasp_tile(const Scene& scene, const Grasp& grasp, const PictureOptions& options = {});
+
 /// Pre-grasp and grasp side by side from the same place, the grasp with contacts (and friction cones where
 /// the options say so).
 Image grasp_pair_picture(const Scene& scene, const Grasp& grasp, const PictureOptions& options = {});
