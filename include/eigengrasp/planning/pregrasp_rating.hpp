@@ -45,7 +45,8 @@ struct RatedPreGrasps {
 /// of threads. Of the options count grasps, time_limit, threads, amplitudes, seed, stop, and those of the
 /// wrench space. plan.timings.close is all but the volumes.
 /// @param min_epsilon threshold beside options.epsilon_min
-/// Cost: 3 ms each with 3 fingers, 7 ms with 5. @throws Error with the first sentence of options.validate() where they are not sound
+/// Cost: 3 ms each with 3 fingers, 7 ms with 5. @throws Error with the first sentence of options.validate()
+/// where they are not sound
 RatedPreGrasps rate_pregrasps(const CollisionModel& model, const std::vector<GivenPreGrasp>& given,
                               const PlanOptions& options, double min_epsilon = 0.0);
 
