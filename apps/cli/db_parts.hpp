@@ -46,5 +46,6 @@ void add_db_verify(CLI::App& db, int& exit_code);
 // Commands of 'eigengrasp reproduce'.
 void add_reproduce_table3(CLI::App& reproduce);
 void add_reproduce_figure12(CLI::App& reproduce, int& exit_code);
+void add_reproduce_partial(CLI::App& reproduce, int& exit_code);
 
 }  // namespace eigengrasp::cli

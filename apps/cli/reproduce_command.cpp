@@ -155,6 +155,7 @@ void add_reproduce_command(CLI::App& app, int& exit_code) {
   add_reproduce_table3(*reproduce);
   table2->callback([table2, choice, &exit_code] { exit_code = reproduce_table2(*table2, *choice); });
   add_reproduce_figure12(*reproduce, exit_code);
+  add_reproduce_partial(*reproduce, exit_code);
   add_reproduce_retrieval(*reproduce, exit_code);
 }
 

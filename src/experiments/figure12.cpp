@@ -8,13 +8,13 @@
 #include <mutex>
 #include <set>
 
+#include "eigengrasp/core/core_watch.hpp"
 #include "eigengrasp/core/error.hpp"
 #include "eigengrasp/core/stop_watch.hpp"
 #include "eigengrasp/jobs/prepared_parts.hpp"
 #include "eigengrasp/planning/pregrasp_rating.hpp"
 #include "eigengrasp/transfer/grasp_transfer.hpp"
 #include "experiments/figure12_progress.hpp"
-#include "jobs/core_watch.hpp"
 
 namespace eigengrasp {
 

@@ -9,6 +9,7 @@
 #include <mutex>
 #include <optional>
 
+#include "eigengrasp/core/core_watch.hpp"
 #include "eigengrasp/core/error.hpp"
 #include "eigengrasp/experiments/statistics.hpp"
 #include "eigengrasp/geometry/mesh_io.hpp"
@@ -25,15 +26,8 @@ struct Described {
   double surface_seconds = 0.0, solid_seconds = 0.0;
 };
 
-/// Processor time of this thread [s]: what else the machine does matters less.
-double thread_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 std::optional<ShapeDescriptor> describe(const TriangleMesh& mesh, ShapeFunction function, double& seconds) {
-  const double start = thread_seconds();
+  const CoreWatch watch;
   std::optional<ShapeDescriptor> descriptor;
   try {
     DescriptorOptions options;
@@ -42,7 +36,7 @@ std::optional<ShapeDescriptor> describe(const TriangleMesh& mesh, ShapeFunction 
     descriptor = compute_shape_descriptor(mesh, options);
   } catch (const Error&) {  // counted as failed
   }
-  seconds = thread_seconds() - start;
+  seconds = watch.seconds();
   return descriptor;
 }
 

@@ -13,10 +13,10 @@
 #include <set>
 #include <thread>
 
+#include "eigengrasp/core/core_watch.hpp"
 #include "eigengrasp/core/error.hpp"
 #include "eigengrasp/core/stop_watch.hpp"
 #include "eigengrasp/jobs/worker_name.hpp"
-#include "jobs/core_watch.hpp"
 
 namespace eigengrasp {
 

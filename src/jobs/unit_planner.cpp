@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "jobs/core_watch.hpp"
+#include "eigengrasp/core/core_watch.hpp"
 
 namespace eigengrasp {
 

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The eigengrasp authors
+#include "eigengrasp/experiments/partial_scans.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+#include <numbers>
+
+#include "eigengrasp/core/core_watch.hpp"
+#include "eigengrasp/core/error.hpp"
+#include "eigengrasp/core/random.hpp"
+#include "eigengrasp/geometry/mesh_io.hpp"
+#include "eigengrasp/planning/pregrasp_rating.hpp"
+#include "eigengrasp/render/depth_camera.hpp"
+#include "eigengrasp/render/pictures.hpp"
+
+namespace eigengrasp {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A view that is still to be taken or read.
+struct ViewTask {
+  fs::path file;
+  int view = 0;  ///< of a simulated camera
+  bool simulated = false;
+};
+
+std::vector<fs::path> sorted_files(const fs::path& folder, bool recursive) {
+  std::vector<fs::path> files;
+  std::error_code ec;
+  const auto take = [&](const fs::directory_entry& entry) {
+    if (entry.is_regular_file() && (is_mesh_file(entry.path()) || entry.path().extension() == ".pcd"))
+      files.push_back(entry.path());
+  };
+  if (recursive) {
+    for (const auto& entry : fs::recursive_directory_iterator(folder, ec)) take(entry);
+  } else {
+    for (const auto& entry : fs::directory_iterator(folder, ec)) take(entry);
+  }
+  if (files.empty()) fail("{}: holds no meshes or clouds of points; check the folder", folder.string());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::vector<ViewTask> list_views(const PartialScansOptions& options) {
+  std::vector<ViewTask> tasks;
+  if (!options.complete.empty())
+    for (const fs::path& file : sorted_files(options.complete, false))
+      for (int view = 0; view < options.views; ++view) tasks.push_back({file, view, true});
+  if (!options.scans.empty())
+    for (const fs::path& file : sorted_files(options.scans, true)) tasks.push_back({file, 0, false});
+  if (tasks.empty()) fail("there is nothing to scan: name a folder of complete objects, of scans, or both");
+  return tasks;
+}
+
+/// Cameras stand around the upright object, 40 degrees above the horizon.
+PointCloud simulated_view(const TriangleMesh& mesh, int view, const PartialScansOptions& options) {
+  const double turn = 2.0 * std::numbers::pi * (view + 0.15) / options.views;
+  const double rise = 40.0 * std::numbers::pi / 180.0;
+  const Vec3 to_camera(std::cos(turn) * std::cos(rise), std::sin(turn) * std::cos(rise), std::sin(rise));
+  DepthCamera depth;
+  const Box box = bounding_box(mesh);
+  depth.columns = depth.rows = 400;
+  depth.noise = options.noise;
+  depth.camera.position = box.center() + options.distance * to_camera;
+  depth.camera.forward = -to_camera;
+  depth.camera.up = (Vec3::UnitZ() - to_camera.z() * to_camera).normalized();
+  depth.camera.fov = 2.0 * std::atan(0.55 * box.diagonal() / options.distance);
+  return take_depth_view(mesh, depth, options.seed + static_cast<std::uint64_t>(view));
+}
+
+/// Volume common to both over that of both, by points spread evenly over their boxes.
+double agreement(const MeshBvh& a, const MeshBvh& b) {
+  Box box = a.box();
+  box.add(b.box());
+  RandomStream random({0x766f6cULL});
+  int both = 0, any = 0;
+  for (int i = 0; i < 8000; ++i) {
+    Vec3 p;
+    for (int k = 0; k < 3; ++k) p[k] = random.uniform(box.min[k], box.max[k]);
+    const bool in_a = a.contains(p), in_b = b.contains(p);
+    both += in_a && in_b;
+    any += in_a || in_b;
+  }
+  return any > 0 ? both / static_cast<double>(any) : 0.0;
+}
+
+class PartialTrials {
+ public:
+  explicit PartialTrials(const PartialScansOptions& options) : options_(options), store_(*options.store) {}
+
+  ScanTrial run(const ViewTask& task, std::vector<ResultPicture>& pictures) const;
+
+ private:
+  using ObjectPtr = std::shared_ptr<const ObjectModel>;
+  using HandPtr = std::shared_ptr<const HandModel>;
+
+  Scene scene_of(const HandPtr& hand, const ObjectPtr& object) const {
+    Scene scene;
+    scene.hand = hand;
+    scene.object = object;
+    scene.object_material.name = object->material;
+    return scene;
+  }
+  CollisionModel model_of(const HandPtr& hand, const ObjectPtr& object) const {
+    CollisionModel::Options exact;  // few candidates: fields would take longer than they save
+    exact.threads = 1;
+    exact.fast = false;
+    return {scene_of(hand, object), exact};
+  }
+  PlanOptions plan_options(ScanPlanner planner) const {
+    PlanOptions plan;
+    plan.threads = 1;
+    plan.seed = options_.seed;
+    plan.stop = options_.stop;
+    plan.grasps = planner == ScanPlanner::transfer ? 1000 : options_.best;
+    return plan;
+  }
+  std::vector<Grasp> find_grasps(const Scene& scene, ScanPlanner planner) const;
+  void try_on(const ObjectPtr& complete, const HandPtr& hand, const std::vector<Grasp>& grasps,
+              ScanGrasps& result) const;
+
+  const PartialScansOptions& options_;
+  TransferStore store_;
+};
+
+std::vector<Grasp> PartialTrials::find_grasps(const Scene& scene, ScanPlanner planner) const {
+  PlanResult plan;
+  if (planner == ScanPlanner::transfer) {
+    TransferOptions transfer;
+    transfer.candidates.most = 0;
+    transfer.plan = plan_options(planner);
+    plan = transfer_grasps(scene, store_, transfer).plan;
+  } else {
+    plan = plan_grasps(scene, plan_options(planner));
+  }
+  std::erase_if(plan.grasps, [](const Grasp& g) { return !g.form_closure; });
+  return std::move(plan.grasps);
+}
+
+void PartialTrials::try_on(const ObjectPtr& complete, const HandPtr& hand, const std::vector<Grasp>& grasps,
+                           ScanGrasps& result) const {
+  std::vector<GivenPreGrasp> given;
+  for (std::size_t i = 0; i < grasps.size() && i < static_cast<std::size_t>(options_.best); ++i)
+    given.push_back({grasps[i].X_OH_pregrasp, grasps[i].pregrasp_dofs});
+  const RatedPreGrasps rated =
+      rate_pregrasps(model_of(hand, complete), given, plan_options(ScanPlanner::transfer));
+  result.tried = static_cast<int>(given.size());
+  result.closed =
+      static_cast<int>(std::count(rated.outcomes.begin(), rated.outcomes.end(), GivenOutcome::form_closed));
+}
+
+ScanTrial PartialTrials::run(const ViewTask& task, std::vector<ResultPicture>& pictures) const {
+  ScanTrial trial;
+  trial.simulated = task.simulated;
+  trial.object = task.simulated ? task.file.stem().string() : task.file.parent_path().filename().string();
+  trial.view = task.simulated ? fmt::format("{}", task.view + 1) : task.file.stem().string();
+  ObjectPtr complete, seen;
+  PointCloud cloud;
+  if (task.simulated) {
+    complete = std::make_shared<const ObjectModel>(make_object(trial.object, load_mesh(task.file)));
+    cloud = simulated_view(complete->mesh, task.view, options_);
+  } else {
+    cloud = load_point_cloud(task.file);
+  }
+  try {
+    const CoreWatch watch;
+    ScanOptions scan;
+    scan.threads = 1;
+    scan.up = Vec3::UnitZ();
+    const ScanSurface surface = make_scan_surface({cloud}, scan);
+    trial.seconds = watch.seconds();
+    trial.unseen = surface.unseen;
+    trial.mirrored = surface.mirror.has_value();
+    trial.seen_share = surface.seen_share;
+    seen = std::make_shared<const ObjectModel>(make_object(trial.object, surface.mesh));
+  } catch (const Error& e) {
+    trial.failure = e.what();
+    return trial;
+  }
+  if (complete) trial.agreement = agreement(seen->bvh, complete->bvh);
+  for (const HandPtr& hand : options_.hands) {
+    const Scene scene = scene_of(hand, seen);
+    for (const ScanPlanner planner : kScanPlanners) {
+      ScanGrasps result;
+      result.hand = hand->name;
+      result.planner = planner;
+      const CoreWatch watch;
+      const std::vector<Grasp> grasps = find_grasps(scene, planner);
+      result.seconds = watch.seconds();
+      result.found = static_cast<int>(grasps.size());
+      if (!grasps.empty()) result.best_epsilon = grasps.front().epsilon;
+      if (complete && !grasps.empty()) try_on(complete, hand, grasps, result);
+      trial.grasps.push_back(result);
+      const bool show = options_.pictures && planner == ScanPlanner::transfer && !grasps.empty() &&
+                        (task.simulated ? task.view == 0 && pictures.size() < 6 : true);
+      if (!show) continue;
+      PictureOptions picture;
+      picture.threads = 1;
+      picture.tile = 300;
+      picture.columns = 4;
+      picture.heading = fmt::format("{} on {} ({}), from one view", result.hand, trial.object, trial.view);
+      const std::span<const Grasp> best(grasps.data(), std::min<std::size_t>(grasps.size(), 4));
+      pictures.push_back(
+          {fmt::format("partial/{}-{}-{}.png", trial.object, trial.view, result.hand),
+           fmt::format("{}, view {}, {}: {} grasps", trial.object, trial.view, result.hand, result.found),
+           grasps_picture(scene, best, picture)});
+    }
+  }
+  return trial;
+}
+
+}  // namespace
+
+PartialScans run_partial_scans(const PartialScansOptions& options) {
+  const std::vector<ViewTask> tasks = list_views(options);
+  const PartialTrials trials(options);
+  PartialScans result;
+  result.trials.resize(tasks.size());
+  std::vector<std::vector<ResultPicture>> pictures(tasks.size());
+  std::vector<char> ended(tasks.size(), 0);
+  std::atomic<int> done{0};
+  std::mutex mutex;
+  parallel_for(tasks.size(), options.threads, [&](std::size_t i, int) {
+    if (options.stop != nullptr && options.stop->stop_requested()) return;
+    result.trials[i] = trials.run(tasks[i], pictures[i]);
+    ended[i] = options.stop == nullptr || !options.stop->stop_requested();
+    const int count = ++done;
+    const std::lock_guard lock(mutex);
+    if (options.progress) options.progress(count, static_cast<int>(tasks.size()));
+  });
+  std::vector<ScanTrial> kept;
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    if (ended[i] == 0) {
+      result.stopped_early = true;
+      continue;
+    }
+    kept.push_back(std::move(result.trials[i]));
+    for (ResultPicture& p : pictures[i]) result.pictures.push_back(std::move(p));
+  }
+  result.trials = std::move(kept);
+  return result;
+}
+
+}  // namespace eigengrasp
