@@ -4,7 +4,6 @@
 
 #include <atomic>
 #include <cmath>
-#include <ctime>
 #include <map>
 #include <mutex>
 #include <optional>
