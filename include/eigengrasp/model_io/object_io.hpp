@@ -21,7 +21,8 @@ struct ObjectReadOptions {
 
 /// Reads an object to grasp: a GraspIt! body (.xml), Open Inventor or VRML (.iv, .wrl), or a mesh file that
 /// load_mesh reads, or a cloud of points of one view (.pcd, a .ply or .obj without faces), of which
-/// make_scan_surface makes a surface. @throws Error with the file's name, the value found and what was expected.
+/// make_scan_surface makes a surface. @throws Error with the file's name, the value found and what was
+/// expected.
 ObjectModel load_object(const std::filesystem::path& file, const ObjectReadOptions& options = {});
 
 }  // namespace eigengrasp
