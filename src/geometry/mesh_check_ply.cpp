@@ -142,7 +142,8 @@ void check_header(const TextLines& lines, PlyHeader& header, std::size_t bytes, 
     header.faces = element.count;
     for (const PlyProperty& property : element.properties) has_corners |= is_corner_list(element, property);
   }
-  if (header.vertices == 0) refuse("has no vertices, expected a surface or a cloud of points");
+  if (header.vertices == 0)
+    refuse(surface ? "has no vertices, expected a surface" : "has no vertices, expected points");
   if (!surface) return;
   if (header.faces == 0)
     fail("{}: is a cloud of {} points without faces, expected a surface; reconstruct one first",
