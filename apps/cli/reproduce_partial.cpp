@@ -19,16 +19,27 @@ namespace {
 
 struct PartialChoice {
   std::string store;
+  std::vector<std::string> same;
   std::vector<std::string> hands = {"barrett-rubber", "human"};
   std::filesystem::path out = "docs/results";
   PartialScansOptions options;
 };
+
+void read_same(const std::vector<std::string>& pairs, PartialScansOptions& options) {
+  for (const std::string& pair : pairs) {
+    const std::size_t equal = pair.find('=');
+    if (equal == 0 || equal == std::string::npos || equal + 1 == pair.size())
+      fail("--same is \"{}\", expected SCAN=COMPLETE, such as cheezit=cracker_box", pair);
+    options.same[pair.substr(0, equal)] = pair.substr(equal + 1);
+  }
+}
 
 int reproduce_partial(PartialChoice& choice) {
   const auto store = open_to_read(choice.store);
   require_writable_folder(choice.out);
   PartialScansOptions& options = choice.options;
   options.store = store.get();
+  read_same(choice.same, options);
   for (const std::string& name : choice.hands) options.hands.push_back(load_hand_choice({name, {}, {}}));
   const InterruptGuard guard;
   options.stop = &guard.stop_flag();
@@ -62,6 +73,10 @@ void add_reproduce_partial(CLI::App& reproduce, int& exit_code) {
   partial->add_option("--complete", choice->options.complete,
                       "Folder of complete objects, seen by simulated cameras");
   partial->add_option("--scans", choice->options.scans, "Folder of real scans, OBJECT/VIEW.ply, in metres");
+  partial
+      ->add_option("--same", choice->same,
+                   "SCAN=COMPLETE for each scanned object whose complete one has another name")
+      ->delimiter(',');
   partial->add_option("--hands", choice->hands, "Hands (default: barrett-rubber,human)")->delimiter(',');
   partial->add_option("--views", choice->options.views, "Simulated views of each object (default: 3)")
       ->check(CLI::Range(1, 100));
@@ -71,7 +86,8 @@ void add_reproduce_partial(CLI::App& reproduce, int& exit_code) {
   partial->add_flag("!--no-pictures", choice->options.pictures, "No pictures");
   partial->footer(
       "Writes partial.md, partial.json and the folder partial with pictures.\nExample:\n"
-      "  eigengrasp reproduce partial --store sqlite:grasps.db --complete ycb --scans scans/realsense");
+      "  eigengrasp reproduce partial --store sqlite:grasps.db --complete ycb --scans scans/realsense --same "
+      "cheezit=cracker_box");
   partial->callback([choice, &exit_code] { exit_code = reproduce_partial(*choice); });
 }
 

@@ -24,7 +24,7 @@ struct TransferChoice {
   SceneChoice scene;
   PlannerChoice planner;
   PlanOutputs outputs;
-  std::string store;
+  std::string store = "shipped";
   std::string from_hand;
   std::string distance = "zernike";
   TransferOptions options;
@@ -119,7 +119,7 @@ int run_transfer(TransferChoice choice) {
 void add_transfer_options(CLI::App& command, TransferChoice& choice) {
   TransferOptions& o = choice.options;
   PlanOptions& plan = choice.planner.options;
-  command.add_option("--store", choice.store, kStoreHelp)->required();
+  command.add_option("--store", choice.store, std::string(kStoreToReadHelp) + " (default)");
   command.add_option("--neighbors", o.candidates.neighbors,
                      "Objects of the store to take grasps of (default: 5)");
   command.add_option(

@@ -23,9 +23,9 @@ constexpr double kLongest = 100.0;  // side of an object's box [m]
 
 std::string mesh_ending(const std::string& file_name) {
   const std::string ending = ending_of(file_name);
-  constexpr std::array<const char*, 5> known = {".obj", ".stl", ".ply", ".off", ".glb"};
+  constexpr std::array<const char*, 6> known = {".obj", ".stl", ".ply", ".off", ".glb", ".pcd"};
   if (std::find(known.begin(), known.end(), ending) == known.end())
-    fail("the name ends in '{}', expected .obj, .stl, .ply, .off or .glb", ending.substr(0, 16));
+    fail("the name ends in '{}', expected .obj, .stl, .ply, .off, .glb or .pcd", ending.substr(0, 16));
   return ending;
 }
 

@@ -16,6 +16,7 @@
 #include "eigengrasp/planning/pregrasp_rating.hpp"
 #include "eigengrasp/render/depth_camera.hpp"
 #include "eigengrasp/render/pictures.hpp"
+#include "eigengrasp/shape/shape_alignment.hpp"
 
 namespace eigengrasp {
 
@@ -26,7 +27,7 @@ namespace {
 /// A view that is still to be taken or read.
 struct ViewTask {
   fs::path file;
-  int view = 0;  ///< of a simulated camera
+  int view = 0;  ///< of the object, counted from 0
   bool simulated = false;
 };
 
@@ -53,7 +54,10 @@ std::vector<ViewTask> list_views(const PartialScansOptions& options) {
     for (const fs::path& file : sorted_files(options.complete, false))
       for (int view = 0; view < options.views; ++view) tasks.push_back({file, view, true});
   if (!options.scans.empty())
-    for (const fs::path& file : sorted_files(options.scans, true)) tasks.push_back({file, 0, false});
+    for (const fs::path& file : sorted_files(options.scans, true)) {
+      const bool same = !tasks.empty() && tasks.back().file.parent_path() == file.parent_path();
+      tasks.push_back({file, same ? tasks.back().view + 1 : 0, false});
+    }
   if (tasks.empty()) fail("there is nothing to scan: name a folder of complete objects, of scans, or both");
   return tasks;
 }
@@ -122,8 +126,15 @@ class PartialTrials {
     return plan;
   }
   std::vector<Grasp> find_grasps(const Scene& scene, ScanPlanner planner) const;
-  void try_on(const ObjectPtr& complete, const HandPtr& hand, const std::vector<Grasp>& grasps,
+  struct Complete {
+    ObjectPtr object;              ///< null: there is none
+    Pose X_CS = Pose::Identity();  ///< of the scan's frame in its frame
+  };
+  Complete lay_upon_complete(const ScanSurface& surface, ScanTrial& trial) const;
+  void try_on(const Complete& complete, const HandPtr& hand, const std::vector<Grasp>& grasps,
               ScanGrasps& result) const;
+  void draw(const ScanTrial& trial, const Scene& scene, const std::vector<Grasp>& grasps,
+            std::vector<ResultPicture>& pictures) const;
 
   const PartialScansOptions& options_;
   TransferStore store_;
@@ -143,16 +154,59 @@ std::vector<Grasp> PartialTrials::find_grasps(const Scene& scene, ScanPlanner pl
   return std::move(plan.grasps);
 }
 
-void PartialTrials::try_on(const ObjectPtr& complete, const HandPtr& hand, const std::vector<Grasp>& grasps,
+/// The file of the complete object that was scanned; empty where there is none.
+fs::path complete_file(const std::string& object, const PartialScansOptions& options) {
+  if (options.complete.empty()) return {};
+  const auto named = options.same.find(object);
+  const std::string& name = named != options.same.end() ? named->second : object;
+  for (const fs::path& file : sorted_files(options.complete, false))
+    if (file.stem().string().find(name) != std::string::npos) return file;
+  return {};
+}
+
+PartialTrials::Complete PartialTrials::lay_upon_complete(const ScanSurface& surface, ScanTrial& trial) const {
+  const fs::path file = complete_file(trial.object, options_);
+  if (file.empty()) return {};
+  auto object = std::make_shared<const ObjectModel>(make_object(file.stem().string(), load_mesh(file)));
+  AlignmentOptions options;
+  options.match_scale = false;
+  options.one_sided = true;
+  options.seeds = 24;
+  options.iterations = 40;
+  const AlignmentShape target = make_alignment_shape(object->mesh);
+  const Alignment best = align_by_icp(make_alignment_shape(seen_part(surface)), target, options);
+  trial.misfit = best.distance * target.size;
+  if (trial.misfit > kMostMisfit) return {};
+  trial.complete = object->name;
+  Complete complete{std::move(object), Pose::Identity()};
+  complete.X_CS.matrix() = best.matrix(1.0);
+  return complete;
+}
+
+void PartialTrials::try_on(const Complete& complete, const HandPtr& hand, const std::vector<Grasp>& grasps,
                            ScanGrasps& result) const {
   std::vector<GivenPreGrasp> given;
   for (std::size_t i = 0; i < grasps.size() && i < static_cast<std::size_t>(options_.best); ++i)
-    given.push_back({grasps[i].X_OH_pregrasp, grasps[i].pregrasp_dofs});
+    given.push_back({complete.X_CS * grasps[i].X_OH_pregrasp, grasps[i].pregrasp_dofs});
   const RatedPreGrasps rated =
-      rate_pregrasps(model_of(hand, complete), given, plan_options(ScanPlanner::transfer));
+      rate_pregrasps(model_of(hand, complete.object), given, plan_options(ScanPlanner::transfer));
   result.tried = static_cast<int>(given.size());
   result.closed =
       static_cast<int>(std::count(rated.outcomes.begin(), rated.outcomes.end(), GivenOutcome::form_closed));
+}
+
+void PartialTrials::draw(const ScanTrial& trial, const Scene& scene, const std::vector<Grasp>& grasps,
+                         std::vector<ResultPicture>& pictures) const {
+  PictureOptions picture;
+  picture.threads = 1;
+  picture.tile = 300;
+  picture.columns = 4;
+  picture.heading = fmt::format("{} on {} ({}), from one view", scene.hand->name, trial.object, trial.view);
+  const std::span<const Grasp> best(grasps.data(), std::min<std::size_t>(grasps.size(), 4));
+  pictures.push_back(
+      {fmt::format("partial/{}-{}-{}.png", trial.object, trial.view, scene.hand->name),
+       fmt::format("{}, view {}, {}: {} grasps", trial.object, trial.view, scene.hand->name, grasps.size()),
+       grasps_picture(scene, best, picture)});
 }
 
 ScanTrial PartialTrials::run(const ViewTask& task, std::vector<ResultPicture>& pictures) const {
@@ -160,14 +214,16 @@ ScanTrial PartialTrials::run(const ViewTask& task, std::vector<ResultPicture>& p
   trial.simulated = task.simulated;
   trial.object = task.simulated ? task.file.stem().string() : task.file.parent_path().filename().string();
   trial.view = task.simulated ? fmt::format("{}", task.view + 1) : task.file.stem().string();
-  ObjectPtr complete, seen;
+  Complete complete;
   PointCloud cloud;
   if (task.simulated) {
-    complete = std::make_shared<const ObjectModel>(make_object(trial.object, load_mesh(task.file)));
-    cloud = simulated_view(complete->mesh, task.view, options_);
+    complete.object = std::make_shared<const ObjectModel>(make_object(trial.object, load_mesh(task.file)));
+    trial.complete = trial.object;
+    cloud = simulated_view(complete.object->mesh, task.view, options_);
   } else {
     cloud = load_point_cloud(task.file);
   }
+  ObjectPtr seen;
   try {
     const CoreWatch watch;
     ScanOptions scan;
@@ -179,11 +235,12 @@ ScanTrial PartialTrials::run(const ViewTask& task, std::vector<ResultPicture>& p
     trial.mirrored = surface.mirror.has_value();
     trial.seen_share = surface.seen_share;
     seen = std::make_shared<const ObjectModel>(make_object(trial.object, surface.mesh));
+    if (!task.simulated) complete = lay_upon_complete(surface, trial);
   } catch (const Error& e) {
     trial.failure = e.what();
     return trial;
   }
-  if (complete) trial.agreement = agreement(seen->bvh, complete->bvh);
+  if (task.simulated) trial.agreement = agreement(seen->bvh, complete.object->bvh);
   for (const HandPtr& hand : options_.hands) {
     const Scene scene = scene_of(hand, seen);
     for (const ScanPlanner planner : kScanPlanners) {
@@ -195,21 +252,11 @@ ScanTrial PartialTrials::run(const ViewTask& task, std::vector<ResultPicture>& p
       result.seconds = watch.seconds();
       result.found = static_cast<int>(grasps.size());
       if (!grasps.empty()) result.best_epsilon = grasps.front().epsilon;
-      if (complete && !grasps.empty()) try_on(complete, hand, grasps, result);
+      if (complete.object && !grasps.empty()) try_on(complete, hand, grasps, result);
       trial.grasps.push_back(result);
-      const bool show = options_.pictures && planner == ScanPlanner::transfer && !grasps.empty() &&
-                        (task.simulated ? task.view == 0 && pictures.size() < 6 : true);
-      if (!show) continue;
-      PictureOptions picture;
-      picture.threads = 1;
-      picture.tile = 300;
-      picture.columns = 4;
-      picture.heading = fmt::format("{} on {} ({}), from one view", result.hand, trial.object, trial.view);
-      const std::span<const Grasp> best(grasps.data(), std::min<std::size_t>(grasps.size(), 4));
-      pictures.push_back(
-          {fmt::format("partial/{}-{}-{}.png", trial.object, trial.view, result.hand),
-           fmt::format("{}, view {}, {}: {} grasps", trial.object, trial.view, result.hand, result.found),
-           grasps_picture(scene, best, picture)});
+      // One view of each object is enough to look at.
+      if (options_.pictures && planner == ScanPlanner::transfer && !grasps.empty() && task.view == 0)
+        draw(trial, scene, grasps, pictures);
     }
   }
   return trial;

@@ -48,20 +48,17 @@ std::string share(int part, int whole) {
 
 std::string totals_table(const PartialScans& result, const PartialScansOptions& options, bool simulated) {
   std::string text =
-      simulated ? "| hand | grasps by | views | with grasps | grasps a view | tried on the complete object | "
-                  "still form-closed | median core time |\n|---|---|---|---|---|---|---|---|\n"
-                : "| hand | grasps by | views | with grasps | grasps a view | views with 100 grasps | "
-                  "median core time |\n|---|---|---|---|---|---|---|\n";
+      "| hand | grasps by | views | with grasps | grasps a view | views with 100 | tried on the complete "
+      "object | "
+      "still form-closed | median core time |\n|---|---|---|---|---|---|---|---|---|\n";
   for (const auto& hand : options.hands) {
     for (const ScanPlanner planner : kScanPlanners) {
       const Totals t = add_up(result, simulated, hand->name, planner);
       if (t.views == 0) continue;
-      text += fmt::format("| {} | {} | {} | {} | {:.1f} | ", hand->name, name_of(planner), t.views,
-                          t.with_grasps, t.found / static_cast<double>(t.views));
-      text += simulated ? fmt::format("{} | {} | ", t.tried, share(t.closed, t.tried))
-                        : fmt::format("{} | ",
-                                      planner == ScanPlanner::transfer ? fmt::format("{}", t.hundred) : "-");
-      text += fmt::format("{:.2f} s |\n", median(t.seconds));
+      text += fmt::format("| {} | {} | {} | {} | {:.1f} | {} | {} | {} | {:.2f} s |\n", hand->name,
+                          name_of(planner), t.views, t.with_grasps, t.found / static_cast<double>(t.views),
+                          planner == ScanPlanner::transfer ? fmt::format("{}", t.hundred) : "-", t.tried,
+                          share(t.closed, t.tried), median(t.seconds));
     }
   }
   return text;
@@ -70,18 +67,22 @@ std::string totals_table(const PartialScans& result, const PartialScansOptions& 
 std::string cell_of(const ScanTrial& trial, const std::string& hand, ScanPlanner planner) {
   for (const ScanGrasps& g : trial.grasps)
     if (g.hand == hand && g.planner == planner)
-      return trial.simulated ? fmt::format("{}: {} of {}", g.found, g.closed, g.tried)
-                             : fmt::format("{}", g.found);
+      return g.tried > 0 ? fmt::format("{}: {} of {}", g.found, g.closed, g.tried)
+                         : fmt::format("{}", g.found);
   return "-";
 }
 
+/// Agreement of a simulated view with the complete object, or how far a real one lies from it.
+std::string likeness(const ScanTrial& trial) {
+  if (trial.simulated) return fmt::format("{:.2f}", trial.agreement);
+  if (trial.misfit == 0.0) return "-";
+  return fmt::format("{:.1f} mm{}", 1e3 * trial.misfit, trial.complete.empty() ? ", not tried" : "");
+}
+
 std::string trials_table(const PartialScans& result, const PartialScansOptions& options, bool simulated) {
-  std::string text = "| object | view | seen | mirrored |";
-  std::string line = "|---|---|---|---|";
-  if (simulated) {
-    text += " agreement |";
-    line += "---|";
-  }
+  std::string text =
+      fmt::format("| object | view | seen | mirrored | {} |", simulated ? "agreement" : "misfit");
+  std::string line = "|---|---|---|---|---|";
   for (const auto& hand : options.hands)
     for (const ScanPlanner planner : kScanPlanners) {
       text += fmt::format(" {}, {} |", hand->name, name_of(planner));
@@ -95,8 +96,8 @@ std::string trials_table(const PartialScans& result, const PartialScansOptions& 
       text += fmt::format("{} |\n", trial.failure);
       continue;
     }
-    text += fmt::format("{:.0f} % | {} |", 100.0 * trial.seen_share, trial.mirrored ? "yes" : "no");
-    if (simulated) text += fmt::format(" {:.2f} |", trial.agreement);
+    text += fmt::format("{:.0f} % | {} | {} |", 100.0 * trial.seen_share, trial.mirrored ? "yes" : "no",
+                        likeness(trial));
     for (const auto& hand : options.hands)
       for (const ScanPlanner planner : kScanPlanners)
         text += fmt::format(" {} |", cell_of(trial, hand->name, planner));
@@ -149,9 +150,12 @@ std::string partial_scans_markdown(const PartialScans& result, const PartialScan
   }
   if (has(false))
     text +=
-        "## Real scans\n\nSegmented clouds of a depth camera; where it stood is estimated. The paper found "
-        "88 "
-        "(human hand) and 112 (Barrett hand)\ngrasps of one object (Fig. 13).\n\n" +
+        fmt::format(
+            "## Real scans\n\nSegmented clouds of a depth camera; where it stood is estimated. The paper "
+            "found 88 (human hand) and 112 (Barrett hand)\ngrasps of one object (Fig. 13). Where there is "
+            "a complete model of the object, what was seen is laid upon it (one-sided\nICP; misfit: root "
+            "mean square distance), and if it lies within {:.0f} mm, the {} best grasps are tried on it.\n\n",
+            1e3 * kMostMisfit, options.best) +
         totals_table(result, options, false) + "\n" + trials_table(result, options, false) + "\n" +
         pictures_of(result, false);
   return text;
@@ -176,6 +180,8 @@ std::string partial_scans_json(const PartialScans& result, const ExperimentRecor
                   {"seen_share", t.seen_share},
                   {"seconds", t.seconds},
                   {"grasps", grasps}};
+    if (!t.complete.empty()) trial["complete"] = t.complete;
+    if (t.misfit > 0.0) trial["misfit"] = t.misfit;
     if (t.agreement >= 0.0) trial["agreement"] = t.agreement;
     if (!t.failure.empty()) trial["failure"] = t.failure;
     trials.push_back(std::move(trial));

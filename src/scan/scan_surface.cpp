@@ -163,20 +163,20 @@ modeling::Solid make_solid(const Views& views, const ScanSurface& surface, const
   return solid;
 }
 
-/// Share of the area that lies on what a view saw.
-double seen_share(const TriangleMesh& mesh, const Views& views, double tolerance) {
+/// Tells the triangles that lie on what a view saw from the others, and their share of the area.
+void find_seen(ScanSurface& surface, const Views& views, double tolerance) {
+  const TriangleMesh& mesh = surface.mesh;
   double seen = 0.0, all = 0.0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Vec3 middle = (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3.0;
     const Vec3 n = area_normal(mesh, t);
+    surface.seen.push_back(std::any_of(views.views.begin(), views.views.end(), [&](const DepthView& view) {
+      return std::abs(view.behind(middle)) <= tolerance && n.dot(middle - view.viewpoint()) <= 0.0;
+    }));
     all += n.norm();
-    for (const DepthView& view : views.views) {
-      if (std::abs(view.behind(middle)) > tolerance || n.dot(middle - view.viewpoint()) > 0.0) continue;
-      seen += n.norm();
-      break;
-    }
+    if (surface.seen.back()) seen += n.norm();
   }
-  return all > 0.0 ? seen / all : 0.0;
+  surface.seen_share = all > 0.0 ? seen / all : 0.0;
 }
 
 }  // namespace
@@ -232,8 +232,17 @@ ScanSurface make_scan_surface(const std::vector<PointCloud>& clouds, const ScanO
   decimate.target_triangles = options.triangles;
   modeling::decimate(result.mesh, decimate);
   weld(result.mesh, 0.0);
-  result.seen_share = seen_share(result.mesh, views, std::max(1.5 * cell, 2.0 * result.spacing));
+  find_seen(result, views, std::max(1.5 * cell, 2.0 * result.spacing));
   return result;
+}
+
+TriangleMesh seen_part(const ScanSurface& surface) {
+  TriangleMesh part = surface.mesh;
+  part.triangles.clear();
+  for (std::size_t t = 0; t < surface.seen.size(); ++t)
+    if (surface.seen[t]) part.triangles.push_back(surface.mesh.triangles[t]);
+  weld(part, 0.0);  // drops what no triangle uses
+  return part;
 }
 
 }  // namespace eigengrasp

@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -26,6 +27,8 @@ struct PartialScansOptions {
   std::filesystem::path scans;     ///< folder of real ones: OBJECT/VIEW.ply; may be empty
   GraspStore* store = nullptr;     ///< described, with grasps of the hands
   std::vector<std::shared_ptr<const HandModel>> hands;
+  /// Name of a scanned object and of its complete one, where neither holds the other.
+  std::map<std::string, std::string> same;
   int views = 3;          ///< simulated, of each object
   int best = 20;          ///< grasps that are tried on the complete object
   double distance = 0.7;  ///< of the simulated camera [m]
@@ -59,8 +62,13 @@ struct ScanTrial {
   double agreement =
       -1.0;  ///< volume common to the surface and the complete object over that of both; -1: unknown
   double seconds = 0.0;  ///< of a core, to make the surface
+  std::string complete;  ///< the complete object that the best grasps are tried on; empty: none
+  double misfit = 0.0;   ///< of a real scan: root mean square distance of what was seen from it [m]
   std::vector<ScanGrasps> grasps;
 };
+
+/// A scan that fits no better is not tried on the complete object [m].
+inline constexpr double kMostMisfit = 0.005;
 
 struct PartialScans {
   std::vector<ScanTrial> trials;  ///< simulated ones first, by object and view
@@ -69,8 +77,9 @@ struct PartialScans {
 };
 
 /// Section VI-C of the paper: grasps planned on what one view shows. Simulated views come with the complete
-/// object, on which the best grasps are tried: the hand comes along its approach direction until it touches,
-/// and closes (rate_pregrasps). Cost: about 4 s of a core a view and hand.
+/// object, and real ones are laid upon a complete object whose name holds theirs (one-sided alignment by
+/// icp of what was seen; kMostMisfit), on which the best grasps are tried: the hand comes along its approach
+/// direction until it touches, and closes (rate_pregrasps). Cost: about 4 s of a core a view and hand.
 /// @throws Error where a folder holds nothing to read, or the store has no grasps of a hand
 PartialScans run_partial_scans(const PartialScansOptions& options);
 

@@ -44,6 +44,7 @@ struct ScanSurface {
   std::vector<bool> viewpoint_guessed;
   std::size_t points = 0;   ///< of the object
   double spacing = 0.0;     ///< [m]
+  std::vector<bool> seen;   ///< of each triangle: whether it lies on what a view saw
   double seen_share = 0.0;  ///< of the surface's area that a view saw
 };
 
@@ -53,5 +54,8 @@ struct ScanSurface {
 /// above 5 m (wrong units, as a rule) or below 2 mm, viewpoints within the object, or views that contradict
 /// each other so much that nothing is left. Cost: 0.2-1 s of a core.
 ScanSurface make_scan_surface(const std::vector<PointCloud>& views, const ScanOptions& options = {});
+
+/// The part of the surface that was seen: open, without the guess behind it.
+TriangleMesh seen_part(const ScanSurface& surface);
 
 }  // namespace eigengrasp

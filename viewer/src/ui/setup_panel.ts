@@ -76,7 +76,7 @@ function object_section(app: App, change: Change): HTMLElement {
   const list = h("div", { class: "choices", id: "objects" });
   const figures = new Figures({ size: "Size [mm]", triangles: "Triangles" });
   const unit = h("select", { id: "units" }, ...options_of(units, "m"));
-  const drop = upload_area("Drop a mesh here, or choose a file", ".obj,.stl,.ply,.off,.glb", async (file) => {
+  const drop = upload_area("Drop a mesh or a scan here, or choose a file", ".obj,.stl,.ply,.off,.glb,.pcd", async (file) => {
     const reply = await app.api.upload_object(file, unit.value as Units);
     app.models.forget("objects", reply.name);
     app.scene.set(undefined);
