@@ -65,8 +65,8 @@ void print_scan(const ScanSurface& s) {
         s.mirror->normal.x(), s.mirror->normal.y(), s.mirror->normal.z(), 100.0 * s.mirror->conflicts,
         100.0 * s.mirror->support);
   } else {
-    fmt::print("unseen     {}{}\n", s.unseen == UnseenSpace::kFree ? "free" : "unknown: counts as the object",
-               s.unseen == UnseenSpace::kMirrored ? " (no mirror plane agrees with what is seen)" : "");
+    fmt::print("unseen     {}{}\n", s.unseen == UnseenSpace::free ? "free" : "unknown: counts as the object",
+               s.unseen == UnseenSpace::mirrored ? " (no mirror plane agrees with what is seen)" : "");
   }
   const Vec3 size = 1e3 * bounding_box(s.mesh).size();
   fmt::print("surface    {} triangles, {:.0f} x {:.0f} x {:.0f} mm, {:.0f} % of it seen\n",

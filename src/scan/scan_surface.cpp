@@ -138,9 +138,9 @@ modeling::Solid make_solid(const Views& views, const ScanSurface& surface, const
   if (surface.mirror)
     for (const Vec3& p : views.points) solid.box.add(surface.mirror->mirrored(p));
   double margin = 4.0 * cell;
-  if (!surface.mirror && surface.unseen != UnseenSpace::kFree)
+  if (!surface.mirror && surface.unseen != UnseenSpace::free)
     for (const DepthView& view : views.views) margin = std::max(margin, view.width() + 4.0 * cell);
-  if (surface.unseen == UnseenSpace::kFree) margin += options.wall;
+  if (surface.unseen == UnseenSpace::free) margin += options.wall;
   solid.box.min -= Vec3::Constant(margin);
   solid.box.max += Vec3::Constant(margin);
   const Box inner{solid.box.min + Vec3::Constant(2.0 * cell), solid.box.max - Vec3::Constant(2.0 * cell)};
@@ -151,7 +151,7 @@ modeling::Solid make_solid(const Views& views, const ScanSurface& surface, const
     if (surface.table) d = std::max(d, -surface.table->above(p));
     if (surface.mirror) {
       d = std::max(d, views.outside(surface.mirror->mirrored(p)));
-    } else if (surface.unseen == UnseenSpace::kFree) {
+    } else if (surface.unseen == UnseenSpace::free) {
       double behind = std::numeric_limits<double>::infinity();
       for (const DepthView& view : views.views) behind = std::min(behind, view.behind(p));
       d = std::max(d, behind - wall);
@@ -182,16 +182,16 @@ void find_seen(ScanSurface& surface, const Views& views, double tolerance) {
 }  // namespace
 
 UnseenSpace unseen_space_of(const std::string& name) {
-  for (const UnseenSpace unseen : {UnseenSpace::kMirrored, UnseenSpace::kUnknown, UnseenSpace::kFree})
+  for (const UnseenSpace unseen : {UnseenSpace::mirrored, UnseenSpace::unknown, UnseenSpace::free})
     if (name == name_of(unseen)) return unseen;
   fail("unseen space is \"{}\", expected mirrored, unknown or free", name);
 }
 
 const char* name_of(UnseenSpace unseen) {
   switch (unseen) {
-    case UnseenSpace::kMirrored:
+    case UnseenSpace::mirrored:
       return "mirrored";
-    case UnseenSpace::kUnknown:
+    case UnseenSpace::unknown:
       return "unknown";
     default:
       return "free";
@@ -208,8 +208,8 @@ ScanSurface make_scan_surface(const std::vector<PointCloud>& clouds, const ScanO
     fail("cells of {:.3g} mm are too small for a cloud {:.3g} m across, expected at least {:.3g} mm",
          1e3 * cell, views.box.diagonal(), views.box.diagonal() / 0.4);
   result.unseen =
-      options.unseen.value_or(views.views.size() > 1 ? UnseenSpace::kUnknown : UnseenSpace::kMirrored);
-  if (result.unseen == UnseenSpace::kMirrored)
+      options.unseen.value_or(views.views.size() > 1 ? UnseenSpace::unknown : UnseenSpace::mirrored);
+  if (result.unseen == UnseenSpace::mirrored)
     result.mirror = find_mirror_plane(
         views.points, [&](const Vec3& p) { return views.outside(p); }, views.direction(),
         std::max(2.0 * result.spacing, 0.5 * cell),

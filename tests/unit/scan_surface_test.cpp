@@ -54,7 +54,7 @@ const Vec3 kAbove(0.45, 0.2, 0.4);
 
 TEST(ScanSurface, AMirroredBallIsTheBall) {
   const TriangleMesh ball = ball_mesh(0.04);
-  const ScanSurface scan = surface_of(ball, kAbove, UnseenSpace::kMirrored);
+  const ScanSurface scan = surface_of(ball, kAbove, UnseenSpace::mirrored);
   ASSERT_TRUE(scan.mirror.has_value());
   const MeshReport report = inspect_mesh(scan.mesh);
   EXPECT_TRUE(report.watertight);
@@ -66,7 +66,7 @@ TEST(ScanSurface, AMirroredBallIsTheBall) {
 
 TEST(ScanSurface, AMirroredBoxHasAboutItsSize) {
   const TriangleMesh box = box_mesh(Vec3(0.10, 0.06, 0.04));
-  const ScanSurface scan = surface_of(box, kAbove, UnseenSpace::kMirrored);
+  const ScanSurface scan = surface_of(box, kAbove, UnseenSpace::mirrored);
   EXPECT_TRUE(inspect_mesh(scan.mesh).watertight);
   EXPECT_NEAR(volume_of(scan.mesh) / volume_of(box), 1.0, 0.3);
 }
@@ -74,7 +74,7 @@ TEST(ScanSurface, AMirroredBoxHasAboutItsSize) {
 TEST(ScanSurface, WhatIsSeenIsKeptHoweverTheRestIsTreated) {
   const TriangleMesh box = box_mesh(Vec3(0.10, 0.06, 0.04));
   const PointCloud cloud = view_from(box, kAbove);
-  for (const UnseenSpace unseen : {UnseenSpace::kMirrored, UnseenSpace::kUnknown, UnseenSpace::kFree}) {
+  for (const UnseenSpace unseen : {UnseenSpace::mirrored, UnseenSpace::unknown, UnseenSpace::free}) {
     ScanOptions options;
     options.unseen = unseen;
     const ScanSurface scan = make_scan_surface({cloud}, options);
@@ -86,8 +86,8 @@ TEST(ScanSurface, WhatIsSeenIsKeptHoweverTheRestIsTreated) {
 TEST(ScanSurface, UnknownSpaceHoldsTheWholeBodyAndFreeSpaceNearlyNothing) {
   const TriangleMesh ball = ball_mesh(0.04);
   const double whole = volume_of(ball);
-  EXPECT_GT(volume_of(surface_of(ball, kAbove, UnseenSpace::kUnknown).mesh), 0.8 * whole);
-  const double wall = volume_of(surface_of(ball, kAbove, UnseenSpace::kFree).mesh);
+  EXPECT_GT(volume_of(surface_of(ball, kAbove, UnseenSpace::unknown).mesh), 0.8 * whole);
+  const double wall = volume_of(surface_of(ball, kAbove, UnseenSpace::free).mesh);
   EXPECT_LT(wall, 0.35 * whole);
   EXPECT_GT(wall, 0.05 * whole);
 }
@@ -99,7 +99,7 @@ TEST(ScanSurface, ViewsFromAllSidesGiveTheBodyWithoutAMirror) {
        {Vec3(0.5, 0.2, 0.3), Vec3(-0.4, 0.4, 0.3), Vec3(-0.1, -0.5, 0.3), Vec3(0.1, 0.1, -0.6)})
     views.push_back(view_from(box, from));
   const ScanSurface scan = make_scan_surface(views);
-  EXPECT_EQ(scan.unseen, UnseenSpace::kUnknown);
+  EXPECT_EQ(scan.unseen, UnseenSpace::unknown);
   EXPECT_FALSE(scan.mirror.has_value());
   EXPECT_NEAR(volume_of(scan.mesh) / volume_of(box), 1.0, 0.12);
   EXPECT_GT(scan.seen_share, 0.9);

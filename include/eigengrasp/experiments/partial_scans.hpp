@@ -56,7 +56,7 @@ struct ScanTrial {
   std::string object, view;
   bool simulated = false;
   std::string failure;  ///< why there is no surface; empty: there is
-  UnseenSpace unseen = UnseenSpace::kMirrored;
+  UnseenSpace unseen = UnseenSpace::mirrored;
   bool mirrored = false;  ///< a mirror plane was found
   double seen_share = 0.0;
   double agreement =

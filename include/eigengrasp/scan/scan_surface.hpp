@@ -14,9 +14,9 @@ namespace eigengrasp {
 
 /// How the space behind the surface seen is treated.
 enum class UnseenSpace {
-  kMirrored,  ///< holds the mirror image of what is seen, about the plane of find_mirror_plane
-  kUnknown,   ///< belongs to the object, as deep as its deepest point seen or as it is wide: no finger enters
-  kFree       ///< is empty, but for a wall behind the surface
+  mirrored,  ///< holds the mirror image of what is seen, about the plane of find_mirror_plane
+  unknown,   ///< belongs to the object, as deep as its deepest point seen or as it is wide: no finger enters
+  free       ///< is empty, but for a wall behind the surface
 };
 
 /// "mirrored", "unknown" or "free". @throws Error for another name
@@ -29,7 +29,7 @@ struct ScanOptions {
   std::optional<Vec3> up = {};  ///< against gravity, if known; of mirror planes. A table found wins over it
   bool remove_table = false;    ///< find the table, drop it, and let nothing reach below it
   double cell = 0.0;    ///< of the surface made [m]; 0: the spacing of the points, but 1/80 of the size
-  double wall = 0.004;  ///< of UnseenSpace::kFree [m]
+  double wall = 0.004;  ///< of UnseenSpace::free [m]
   std::size_t triangles = 6000;  ///< about as many at most
   int threads = 0;               ///< 0: all; the surface does not depend on it
 };
@@ -37,7 +37,7 @@ struct ScanOptions {
 /// A closed surface made of scans, and how.
 struct ScanSurface {
   TriangleMesh mesh;  ///< closed, outward, one piece; in the frame of the clouds [m]
-  UnseenSpace unseen = UnseenSpace::kMirrored;
+  UnseenSpace unseen = UnseenSpace::mirrored;
   std::optional<MirrorPlane> mirror;  ///< of the unseen side; none: it was treated as unknown
   std::optional<TablePlane> table;
   std::vector<Vec3> viewpoints;  ///< of each view [m]
