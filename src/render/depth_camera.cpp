@@ -24,8 +24,9 @@ PointCloud take_depth_view(const TriangleMesh& mesh, const DepthCamera& depth_ca
       const int pixel = first + lane;
       rays.active[l] = pixel < pixels;
       if (!rays.active[l]) continue;
-      const double u = 2.0 * (pixel % depth_camera.columns + 0.5) / depth_camera.columns - 1.0;
-      const double v = 1.0 - 2.0 * (pixel / depth_camera.columns + 0.5) / depth_camera.rows;
+      const int column = pixel % depth_camera.columns, row = pixel / depth_camera.columns;
+      const double u = 2.0 * (column + 0.5) / depth_camera.columns - 1.0;
+      const double v = 1.0 - 2.0 * (row + 0.5) / depth_camera.rows;
       rays.origins[l] = camera.position.cast<float>();
       rays.directions[l] = camera.ray_direction(u, v).normalized().cast<float>();
     }
