@@ -27,8 +27,9 @@ namespace {
 /// A view that is still to be taken or read.
 struct ViewTask {
   fs::path file;
-  int view = 0;  ///< of the object, counted from 0
+  int view = 0;  ///< of a simulated camera
   bool simulated = false;
+  bool shown = false;  ///< in pictures
 };
 
 std::vector<fs::path> sorted_files(const fs::path& folder, bool recursive) {
@@ -50,13 +51,18 @@ std::vector<fs::path> sorted_files(const fs::path& folder, bool recursive) {
 
 std::vector<ViewTask> list_views(const PartialScansOptions& options) {
   std::vector<ViewTask> tasks;
+  // Pictures show one view of every real object, and of every fourth complete one.
+  int objects = 0;
   if (!options.complete.empty())
-    for (const fs::path& file : sorted_files(options.complete, false))
-      for (int view = 0; view < options.views; ++view) tasks.push_back({file, view, true});
+    for (const fs::path& file : sorted_files(options.complete, false)) {
+      const bool shown = objects++ % 4 == 2;
+      for (int view = 0; view < options.views; ++view)
+        tasks.push_back({file, view, true, shown && view == 0});
+    }
   if (!options.scans.empty())
     for (const fs::path& file : sorted_files(options.scans, true)) {
       const bool same = !tasks.empty() && tasks.back().file.parent_path() == file.parent_path();
-      tasks.push_back({file, same ? tasks.back().view + 1 : 0, false});
+      tasks.push_back({file, 0, false, !same});
     }
   if (tasks.empty()) fail("there is nothing to scan: name a folder of complete objects, of scans, or both");
   return tasks;
@@ -254,8 +260,7 @@ ScanTrial PartialTrials::run(const ViewTask& task, std::vector<ResultPicture>& p
       if (!grasps.empty()) result.best_epsilon = grasps.front().epsilon;
       if (complete.object && !grasps.empty()) try_on(complete, hand, grasps, result);
       trial.grasps.push_back(result);
-      // One view of each object is enough to look at.
-      if (options_.pictures && planner == ScanPlanner::transfer && !grasps.empty() && task.view == 0)
+      if (options_.pictures && task.shown && planner == ScanPlanner::transfer && !grasps.empty())
         draw(trial, scene, grasps, pictures);
     }
   }
