@@ -74,14 +74,14 @@ void print_scan(const ScanSurface& s) {
 }
 
 void run_scan(ScanChoice& choice) {
-  if (!choice.unseen.empty()) choice.options.unseen = unseen_space_of(choice.unseen);
+  if (!choice.unseen.empty()) choice.options.unseen = parse_unseen_space(choice.unseen);
   if (!choice.up.empty()) choice.options.up = numbers_of("--up", choice.up);
   if (choice.options.up && choice.options.up->isZero())
     fail("--up is 0,0,0, expected a direction such as 0,0,1");
   choice.options.cell = 1e-3 * choice.cell_mm;
   const ScanSurface surface = make_scan_surface(load_views(choice), choice.options);
   print_scan(surface);
-  modeling::save_obj(surface.mesh, choice.out, 6, fmt::format("unseen space: {}", name_of(surface.unseen)));
+  modeling::save_obj(surface.mesh, choice.out, 6, fmt::format("unseen space: {}", to_string(surface.unseen)));
   fmt::print("written    {}\n", choice.out);
 }
 

@@ -237,7 +237,6 @@ ScanTrial PartialTrials::run(const ViewTask& task, std::vector<ResultPicture>& p
     scan.up = Vec3::UnitZ();
     const ScanSurface surface = make_scan_surface({cloud}, scan);
     trial.seconds = watch.seconds();
-    trial.unseen = surface.unseen;
     trial.mirrored = surface.mirror.has_value();
     trial.seen_share = surface.seen_share;
     seen = std::make_shared<const ObjectModel>(make_object(trial.object, surface.mesh));

@@ -40,10 +40,13 @@ struct Views {
   }
 };
 
-void check_size(const std::vector<Vec3>& points, double spacing) {
+void check_count(const std::vector<Vec3>& points) {
   if (points.size() < kLeastPoints)
     fail("the cloud has {} points of the object, expected at least {}; scan it again, nearer or finer",
          points.size(), kLeastPoints);
+}
+
+void check_size(const std::vector<Vec3>& points, double spacing) {
   Box box;
   Vec3 mean = Vec3::Zero();
   for (const Vec3& p : points) {
@@ -80,7 +83,7 @@ Views make_views(const std::vector<PointCloud>& clouds, const ScanOptions& optio
     parts.push_back(cloud.points);
     views.points.insert(views.points.end(), cloud.points.begin(), cloud.points.end());
   }
-  if (views.points.size() < kLeastPoints) check_size(views.points, 1.0);
+  check_count(views.points);
   result.spacing = 0.0;
   for (const auto& part : parts)
     result.spacing = std::max(result.spacing, part.size() > 1 ? point_spacing(part) : 0.0);
@@ -89,7 +92,8 @@ Views make_views(const std::vector<PointCloud>& clouds, const ScanOptions& optio
   for (std::size_t i = 0; i < clouds.size(); ++i) {
     if (parts[i].size() < 3) fail("view {} has {} points, expected at least 3", i + 1, parts[i].size());
     result.viewpoint_guessed.push_back(!clouds[i].viewpoint.has_value());
-    result.viewpoints.push_back(clouds[i].viewpoint.value_or(estimate_viewpoint(parts[i], result.spacing)));
+    result.viewpoints.push_back(clouds[i].viewpoint ? *clouds[i].viewpoint
+                                                    : estimate_viewpoint(parts[i], result.spacing));
   }
   if (options.remove_table) {
     const double tolerance = std::max(0.004, result.spacing);
@@ -105,6 +109,7 @@ Views make_views(const std::vector<PointCloud>& clouds, const ScanOptions& optio
       views.points.insert(views.points.end(), part.begin(), part.end());
     }
   }
+  check_count(views.points);  // the table may have been most of them
   check_size(views.points, result.spacing);
   for (const Vec3& p : views.points) views.box.add(p);
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -181,13 +186,13 @@ void find_seen(ScanSurface& surface, const Views& views, double tolerance) {
 
 }  // namespace
 
-UnseenSpace unseen_space_of(const std::string& name) {
+UnseenSpace parse_unseen_space(const std::string& name) {
   for (const UnseenSpace unseen : {UnseenSpace::mirrored, UnseenSpace::unknown, UnseenSpace::free})
-    if (name == name_of(unseen)) return unseen;
+    if (name == to_string(unseen)) return unseen;
   fail("unseen space is \"{}\", expected mirrored, unknown or free", name);
 }
 
-const char* name_of(UnseenSpace unseen) {
+const char* to_string(UnseenSpace unseen) {
   switch (unseen) {
     case UnseenSpace::mirrored:
       return "mirrored";

@@ -78,8 +78,8 @@ TEST(ScanSurface, WhatIsSeenIsKeptHoweverTheRestIsTreated) {
     ScanOptions options;
     options.unseen = unseen;
     const ScanSurface scan = make_scan_surface({cloud}, options);
-    EXPECT_TRUE(inspect_mesh(scan.mesh).watertight) << name_of(unseen);
-    EXPECT_LT(farthest_seen(cloud, scan.mesh), 0.008) << name_of(unseen);
+    EXPECT_TRUE(inspect_mesh(scan.mesh).watertight) << to_string(unseen);
+    EXPECT_LT(farthest_seen(cloud, scan.mesh), 0.008) << to_string(unseen);
   }
 }
 

@@ -55,8 +55,7 @@ struct ScanGrasps {
 struct ScanTrial {
   std::string object, view;
   bool simulated = false;
-  std::string failure;  ///< why there is no surface; empty: there is
-  UnseenSpace unseen = UnseenSpace::mirrored;
+  std::string failure;    ///< why there is no surface; empty: there is
   bool mirrored = false;  ///< a mirror plane was found
   double seen_share = 0.0;
   double agreement =

@@ -20,8 +20,8 @@ enum class UnseenSpace {
 };
 
 /// "mirrored", "unknown" or "free". @throws Error for another name
-UnseenSpace unseen_space_of(const std::string& name);
-const char* name_of(UnseenSpace unseen);
+UnseenSpace parse_unseen_space(const std::string& name);
+const char* to_string(UnseenSpace unseen);
 
 struct ScanOptions {
   /// None: mirrored for one view, unknown for several, which as a rule see all sides.
