@@ -34,8 +34,9 @@ int run_describe(DescribeChoice choice) {
     report = describe_store(*store, options);
   }
   for (const std::string& sentence : report.bad) warn(sentence + "; left out");
-  fmt::print("{}: {} objects described, {} were, {} neighbours and {} alignments are new\n", store->place(),
-             report.described, report.there, report.neighbors, report.alignments);
+  fmt::print("{}: {} objects described, {} were; views of {} objects, {} neighbours and {} alignments are new\n",
+             store->place(), report.described, report.there, report.viewed, report.neighbors,
+             report.alignments);
   if (report.stopped) fmt::print(stderr, "eigengrasp: stopped; the same command goes on\n");
   return report.stopped ? nothing_found : success;
 }
@@ -49,6 +50,7 @@ void add_db_describe(CLI::App& db, int& exit_code) {
       "describe", "Shape descriptors, nearest neighbours and alignments of all objects of a store");
   describe->add_option("store", choice->store, kStoreHelp)->required();
   describe->add_option("--neighbors", options.neighbors, "Of each object (default: 5)");
+  describe->add_flag("!--no-views", options.views, "No descriptors of views, by which scans find their like");
   describe->add_flag("!--no-align", options.align, "No alignments, which take most of the time");
   describe->add_option("--jobs", options.threads, "Threads (default: all); does not change the result");
   describe->footer(

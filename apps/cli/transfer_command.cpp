@@ -26,7 +26,7 @@ struct TransferChoice {
   PlanOutputs outputs;
   std::string store = "shipped";
   std::string from_hand;
-  std::string distance = "zernike";
+  std::string distance;
   TransferOptions options;
   bool leave_out = false;
 };
@@ -56,7 +56,7 @@ std::vector<std::string> same_objects(const Scene& scene, const TransferStore& s
 
 TransferOptions understand_transfer(const TransferChoice& choice, const HandModel& hand) {
   TransferOptions options = choice.options;
-  options.distance = parse_neighbor_distance(choice.distance);
+  if (!choice.distance.empty()) options.distance = parse_neighbor_distance(choice.distance);
   options.plan = understand(choice.planner, hand);
   options.plan.search = SearchKind::transfer;
   options.candidates.threads = options.plan.threads;
@@ -124,11 +124,13 @@ void add_transfer_options(CLI::App& command, TransferChoice& choice) {
                      "Objects of the store to take grasps of (default: 5)");
   command.add_option(
       "--distance", choice.distance,
-      "What makes neighbours: zernike (like shape), class (like tags), random (default: zernike)");
+      "What makes neighbours: zernike (like shape), views (a scan: like a view), class (like tags), random "
+      "(default: zernike; a scan of one side: views, if the store has them)");
   command.add_option("--tags", o.tags, "Class of the object, outermost first; for --distance class")
       ->delimiter(',');
   command.add_option("--alignment", o.candidates.alignment,
-                     "pca, or pca-icp, which is closer and takes longer (default: pca)");
+                     "pca, or pca-icp, which is closer and takes longer (default: pca; a scan of one side: "
+                     "pca-icp, by what was seen)");
   command.add_option(
       "--candidates", o.candidates.most,
       "Pre-grasps of a neighbour at a scale, those of the highest epsilon; 0: all (default: 6)");

@@ -146,8 +146,12 @@ void RetryingStore::set_descriptors(const std::vector<StoredDescriptor>& descrip
   persist([&] { store_->set_descriptors(descriptors); });
 }
 
-std::vector<StoredDescriptor> RetryingStore::descriptors() {
-  return persist([&] { return store_->descriptors(); });
+std::vector<StoredDescriptor> RetryingStore::descriptors(const std::string& function) {
+  return persist([&] { return store_->descriptors(function); });
+}
+
+std::vector<std::string> RetryingStore::described(const std::string& function) {
+  return persist([&] { return store_->described(function); });
 }
 
 void RetryingStore::set_neighbors(const std::vector<StoredNeighbor>& neighbors) {

@@ -40,7 +40,8 @@ class RetryingStore : public GraspStore {
   void add_grasps(const UnitKey& key, const std::vector<StoredGrasp>& grasps) override;
   std::vector<StoredGrasp> grasps(const std::string& model, const std::string& hand) override;
   void set_descriptors(const std::vector<StoredDescriptor>& descriptors) override;
-  std::vector<StoredDescriptor> descriptors() override;
+  std::vector<StoredDescriptor> descriptors(const std::string& function) override;
+  std::vector<std::string> described(const std::string& function) override;
   void set_neighbors(const std::vector<StoredNeighbor>& neighbors) override;
   std::vector<StoredNeighbor> neighbors() override;
   void set_alignments(const std::vector<StoredAlignment>& alignments) override;

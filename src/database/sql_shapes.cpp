@@ -28,13 +28,14 @@ void SqlStore::set_descriptors(const std::vector<StoredDescriptor>& descriptors)
   transaction.commit();
 }
 
-std::vector<StoredDescriptor> SqlStore::descriptors() {
+std::vector<StoredDescriptor> SqlStore::descriptors(const std::string& function) {
   const std::lock_guard lock(mutex_);
   std::vector<StoredDescriptor> descriptors;
   db_->run(sql("SELECT o.original_model_name, d.descriptor_function, d.descriptor_route, "
                "@numbers_out(d.descriptor_ball), @numbers_out(d.descriptor_invariants) FROM descriptor d "
-               "JOIN original_model o ON o.original_model_id = d.original_model_id ORDER BY d.descriptor_id"),
-           {}, [&](const SqlRow& row) {
+               "JOIN original_model o ON o.original_model_id = d.original_model_id "
+               "WHERE $1 = '' OR d.descriptor_function = $1 ORDER BY d.descriptor_id"),
+           {function}, [&](const SqlRow& row) {
              const auto ball = parse_numbers(row.text(3), place());
              StoredDescriptor& d = descriptors.emplace_back();
              d.model = row.string(0);
@@ -48,6 +49,16 @@ std::vector<StoredDescriptor> SqlStore::descriptors() {
              d.invariants = parse_numbers(row.text(4), place());
            });
   return descriptors;
+}
+
+std::vector<std::string> SqlStore::described(const std::string& function) {
+  const std::lock_guard lock(mutex_);
+  std::vector<std::string> names;
+  db_->run(
+      "SELECT o.original_model_name FROM descriptor d JOIN original_model o ON o.original_model_id = "
+      "d.original_model_id WHERE d.descriptor_function = $1 ORDER BY d.descriptor_id",
+      {function}, [&](const SqlRow& row) { names.push_back(row.string(0)); });
+  return names;
 }
 
 /// The id of a distance function or an alignment method, which is made where it is missing.

@@ -93,7 +93,7 @@ CopyReport copy_store(GraspStore& from, GraspStore& to) {
   for (const StoredUnit& unit : from.units()) keys.push_back(unit.key);
   report.units = static_cast<std::int64_t>(to.add_units(keys));
   UnitCopy(from, to, report).copy_all(models, hands);
-  to.set_descriptors(from.descriptors());
+  to.set_descriptors(from.descriptors(""));
   to.set_neighbors(from.neighbors());
   to.set_alignments(from.alignments());
   return report;

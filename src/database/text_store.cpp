@@ -164,9 +164,19 @@ std::vector<GraspSource> TextStore::sources() {
   const std::lock_guard lock(mutex_);
   return sources_;
 }
-std::vector<StoredDescriptor> TextStore::descriptors() {
+std::vector<StoredDescriptor> TextStore::descriptors(const std::string& function) {
   const std::lock_guard lock(mutex_);
-  return descriptors_;
+  std::vector<StoredDescriptor> found;
+  for (const StoredDescriptor& d : descriptors_)
+    if (function.empty() || d.function == function) found.push_back(d);
+  return found;
+}
+std::vector<std::string> TextStore::described(const std::string& function) {
+  const std::lock_guard lock(mutex_);
+  std::vector<std::string> names;
+  for (const StoredDescriptor& d : descriptors_)
+    if (d.function == function) names.push_back(d.model);
+  return names;
 }
 std::vector<StoredNeighbor> TextStore::neighbors() {
   const std::lock_guard lock(mutex_);

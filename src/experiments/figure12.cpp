@@ -94,6 +94,7 @@ Figure12Run Figure12Experiment::transfer(TransferTarget& target, const Collision
   plan.search = SearchKind::transfer;
   plan.threads = 1;
   plan.grasps = kFigure12Ranks;
+  plan.volumes = false;
   plan.amplitudes = std::min(2, hand.model->n_dof());
   plan.seed = options_.seed;
   plan.stop = options_.stop;
@@ -125,7 +126,7 @@ Figure12Model Figure12Experiment::run_model(const StoredModel& model, std::size_
   Scene scene;
   scene.object = std::make_shared<const ObjectModel>(load_stored_object(model));
   scene.object_material.name = scene.object->material;
-  TransferTarget target(transfers_, scene.object->mesh, model.approximate_radius);
+  TransferTarget target(transfers_, *scene.object);
   result.prepare_seconds = watch.seconds();
   CollisionModel::Options options;
   options.threads = 1;

@@ -128,6 +128,7 @@ class PartialTrials {
     plan.threads = 1;
     plan.seed = options_.seed;
     plan.stop = options_.stop;
+    plan.volumes = false;
     plan.grasps = planner == ScanPlanner::transfer ? 1000 : options_.best;
     return plan;
   }
@@ -239,7 +240,9 @@ ScanTrial PartialTrials::run(const ViewTask& task, std::vector<ResultPicture>& p
     trial.seconds = watch.seconds();
     trial.mirrored = surface.mirror.has_value();
     trial.seen_share = surface.seen_share;
-    seen = std::make_shared<const ObjectModel>(make_object(trial.object, surface.mesh));
+    ObjectModel object = make_object(trial.object, surface.mesh);
+    object.seen = std::make_shared<const TriangleMesh>(seen_part(surface));
+    seen = std::make_shared<const ObjectModel>(std::move(object));
     if (!task.simulated) complete = lay_upon_complete(surface, trial);
   } catch (const Error& e) {
     trial.failure = e.what();

@@ -33,6 +33,11 @@ ObjectModel rescaled(const ObjectModel& object, double factor) {
   ObjectModel result = object;
   if (!result.at_one) result.at_one = std::make_shared<const MeshBvh>(object.bvh);
   transform(result.mesh, Pose::Identity(), factor);
+  if (object.seen) {
+    TriangleMesh seen = *object.seen;
+    transform(seen, Pose::Identity(), factor);
+    result.seen = std::make_shared<const TriangleMesh>(std::move(seen));
+  }
   result.bvh = MeshBvh(result.mesh);
   result.center_of_mass *= factor;
   result.max_radius *= factor;

@@ -12,6 +12,7 @@
 #include "eigengrasp/core/error.hpp"
 #include "eigengrasp/jobs/prepared_parts.hpp"
 #include "eigengrasp/jobs/stored_shapes.hpp"
+#include "eigengrasp/jobs/stored_views.hpp"
 #include "eigengrasp/shape/shape_alignment.hpp"
 
 namespace eigengrasp {
@@ -39,6 +40,7 @@ class Description {
 
   DescribeReport run() {
     describe();
+    if (!stopped() && options_.views) describe_all_views();
     if (!stopped() && options_.neighbors > 0) {
       const Pairs pairs = find_neighbors();
       if (options_.align) align(pairs);
@@ -49,11 +51,16 @@ class Description {
 
  private:
   void describe();
+  void describe_all_views();
   Pairs find_neighbors();
   void align(const Pairs& pairs);
   std::vector<StoredAlignment> align_to(const std::string& object,
                                         const std::vector<std::string>& neighbors) const;
 
+  std::set<std::string> described(const std::string& function) const {
+    const std::vector<std::string> names = store_.described(function);
+    return {names.begin(), names.end()};
+  }
   bool stopped() const { return options_.stop != nullptr && options_.stop->stop_requested(); }
 
   /// Works on items in batches, all threads on one; what comes of a batch is stored in order.
@@ -95,15 +102,10 @@ void Description::in_batches(const std::vector<Item>& items, const std::string& 
 }
 
 void Description::describe() {
-  const StoredShapes there(store_);
-  std::vector<StoredModel> missing;
-  for (const StoredModel& model : order_) {
-    if (there.holds(model.name)) {
-      ++report_.there;
-    } else {
-      missing.push_back(model);
-    }
-  }
+  const std::set<std::string> there = described(to_string(ShapeFunction::surface));
+  std::vector<StoredModel> missing = order_;
+  std::erase_if(missing, [&](const StoredModel& model) { return there.contains(model.name); });
+  report_.there = order_.size() - missing.size();
   in_batches<StoredDescriptor>(
       missing, "descriptors",
       [](const StoredModel& model) {
@@ -112,6 +114,22 @@ void Description::describe() {
       [this](const std::vector<StoredDescriptor>& done) {
         store_.set_descriptors(done);
         report_.described += done.size();
+      });
+}
+
+void Description::describe_all_views() {
+  const std::set<std::string> there = described(kViewsFunction);
+  const std::set<std::string> sound = described(to_string(ShapeFunction::surface));
+  std::vector<StoredModel> missing = order_;
+  std::erase_if(missing, [&](const StoredModel& model) {
+    return there.contains(model.name) || !sound.contains(model.name);
+  });
+  in_batches<StoredDescriptor>(
+      missing, "views",
+      [](const StoredModel& model) { return describe_views(model.name, load_stored_mesh(model)); },
+      [this](const std::vector<StoredDescriptor>& done) {
+        store_.set_descriptors(done);
+        report_.viewed += done.size();
       });
 }
 

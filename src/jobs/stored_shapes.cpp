@@ -35,8 +35,7 @@ ShapeDescriptor describe_object(const TriangleMesh& mesh) {
 }
 
 StoredShapes::StoredShapes(GraspStore& store) : shapes_(kDescriptorSize) {
-  for (const StoredDescriptor& record : store.descriptors()) {
-    if (record.function != to_string(ShapeFunction::surface)) continue;
+  for (const StoredDescriptor& record : store.descriptors(to_string(ShapeFunction::surface))) {
     shapes_.add(read_descriptor(record).values);
     places_.emplace(record.model, names_.size());
     names_.push_back(record.model);

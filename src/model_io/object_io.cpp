@@ -22,7 +22,10 @@ bool shares_field(double scale) {
 ObjectModel load_scan(const std::filesystem::path& file, double scale) {
   const PointCloud cloud = load_point_cloud(file, scale);
   try {
-    return make_object(file.stem().string(), make_scan_surface({cloud}).mesh);
+    const ScanSurface surface = make_scan_surface({cloud});
+    ObjectModel object = make_object(file.stem().string(), surface.mesh);
+    object.seen = std::make_shared<const TriangleMesh>(seen_part(surface));
+    return object;
   } catch (const Error& e) {
     fail("{}: {}", file.string(), e.what());
   }

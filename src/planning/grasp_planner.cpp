@@ -27,8 +27,9 @@ void require_sound(const PlanOptions& options, const Scene& scene) {
 /// The grasps of a search, the best first, with where they came from.
 void take_over(SearchResult& found, const GraspEnergy& energy, const PlanOptions& options,
                PlanResult& result) {
-  parallel_for(found.kept.size(), options.threads,
-               [&](std::size_t i, int) { add_volume(energy, found.kept[i].result.grasp); });
+  if (options.volumes)
+    parallel_for(found.kept.size(), options.threads,
+                 [&](std::size_t i, int) { add_volume(energy, found.kept[i].result.grasp); });
   result.states = found.states;
   result.candidates = found.candidates;
   result.closed_on_the_way = found.closed_on_the_way;

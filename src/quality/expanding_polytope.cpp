@@ -67,7 +67,7 @@ DistanceBounds ExpandingPolytope::compute_distance(const WrenchSupport& set, con
   Candidate least;
   Vec6 w;
   while (true) {
-    const bool any = pop_least(least);
+    const bool any = pop_next(least);
     const double lower = any ? std::min(least.offset, upper_) : upper_ - slack();
     if (upper_ <= 0.0) return {0.0, 0.0, true, weakest_};
     if (!any || lower >= upper_ - slack() || upper_ < goal.threshold || upper_ < goal.enough_below ||
@@ -93,7 +93,7 @@ double ExpandingPolytope::compute_volume(const WrenchSupport& set) {
   make_simplex_facets();
   Candidate least;
   Vec6 w;
-  while (pop_least(least)) {
+  while (pop_next(least)) {
     if (n_created_ > kMaxFacets) return std::numeric_limits<double>::quiet_NaN();
     Facet& facet = facets_[static_cast<std::size_t>(least.facet)];
     if (plane_error(facet) > kPlaneDrift * scale_) refine(facet);
@@ -262,15 +262,16 @@ void ExpandingPolytope::push(std::int32_t facet) {
   const Facet& f = facets_[static_cast<std::size_t>(facet)];
   if (!whole_ && !(f.plane[6] < upper_ - slack())) return;
   queue_.push_back({f.plane[6], facet, f.serial});
-  std::push_heap(queue_.begin(), queue_.end());
+  if (!whole_) std::push_heap(queue_.begin(), queue_.end());
 }
 
-bool ExpandingPolytope::pop_least(Candidate& least) {
+// The order does not matter to the whole: the last one is at hand.
+bool ExpandingPolytope::pop_next(Candidate& next) {
   while (!queue_.empty()) {
-    least = queue_.front();
-    std::pop_heap(queue_.begin(), queue_.end());
+    if (!whole_) std::pop_heap(queue_.begin(), queue_.end());
+    next = queue_.back();
     queue_.pop_back();
-    if (facets_[static_cast<std::size_t>(least.facet)].serial == least.serial) return true;
+    if (facets_[static_cast<std::size_t>(next.facet)].serial == next.serial) return true;
   }
   return false;
 }

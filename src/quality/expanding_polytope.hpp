@@ -83,7 +83,8 @@ class ExpandingPolytope {
   bool build_simplex();
   bool find_next_vertex(const std::array<Vec6, kDim>& basis, const Vec6& first, int n_basis, Vec6& w);
   void make_simplex_facets();
-  bool pop_least(Candidate& least);
+  /// Of those that need expansion that of the least offset; any, where the whole is wanted.
+  bool pop_next(Candidate& next);
   void push(std::int32_t facet);
   bool build_any_simplex();
   Eigen::Matrix<double, kDim, kDim> corners(const Facet& facet) const;

@@ -65,7 +65,7 @@ std::vector<PointPair> nearest_pairs(const AlignmentShape& model, const Alignmen
   std::vector<PointPair> pairs;
   const Mat3& R = alignment.R;
   const double s = alignment.scale;
-  for (const Vec3& p : model.points) {
+  for (const Vec3& p : one_sided && !model.seen.empty() ? model.seen : model.points) {
     const Vec3 moved = alignment.center_target + s * model.size * (R * p);
     const ClosestPoint near = closest(target, moved);
     pairs.push_back({moved, near.point, triangle_normal(target.bvh, near.triangle)});

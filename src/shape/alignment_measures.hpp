@@ -23,7 +23,8 @@ struct PointPair {
   Vec3 moved, fixed, normal;  ///< the motion of the model moves `moved` relative to `fixed`
 };
 
-/// From the model's points to the target and, unless one_sided, from the target's to the model.
+/// From the model's points to the target and, unless one_sided, from the target's to the model. One-sided:
+/// from those points that were seen.
 std::vector<PointPair> nearest_pairs(const AlignmentShape& model, const AlignmentShape& target,
                                      const Alignment& alignment, bool one_sided);
 

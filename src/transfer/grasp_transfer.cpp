@@ -8,7 +8,6 @@
 
 #include "eigengrasp/core/error.hpp"
 #include "eigengrasp/core/stop_watch.hpp"
-#include "eigengrasp/database/graspable_size.hpp"
 #include "eigengrasp/jobs/prepared_parts.hpp"
 #include "transfer/transfer_summary.hpp"
 
@@ -22,7 +21,8 @@ std::vector<std::string> TransferOptions::validate(const HandModel& hand) const 
     violations.push_back(fmt::format("candidates is {}, expected 0 (all) or more", candidates.most));
   if (!(min_epsilon >= 0.0) || !(min_epsilon <= 1.0))
     violations.push_back(fmt::format("min epsilon is {}, expected 0 to 1", min_epsilon));
-  if (candidates.alignment != kPcaAlignment && candidates.alignment != kIcpAlignment)
+  if (!candidates.alignment.empty() && candidates.alignment != kPcaAlignment &&
+      candidates.alignment != kIcpAlignment)
     violations.push_back(fmt::format("the alignment is '{}', expected {} or {}", candidates.alignment,
                                      kPcaAlignment, kIcpAlignment));
   return violations;
@@ -45,10 +45,23 @@ void require_known_hand(GraspStore& store, const HandModel& hand) {
   fail("{}: holds no grasps with the hand '{}'; it has those with {}", store.place(), hand.name, names);
 }
 
+/// With what was left open.
+TransferOptions completed(TransferOptions options, const ObjectModel& object, const TransferStore& store) {
+  if (!options.distance)
+    options.distance =
+        object.seen && !store.views().empty() ? NeighborDistance::views : NeighborDistance::zernike;
+  if (options.candidates.alignment.empty())
+    options.candidates.alignment = object.seen ? kIcpAlignment : kPcaAlignment;
+  return options;
+}
+
 class Transfer {
  public:
   Transfer(const Scene& scene, const TransferStore& store, const TransferOptions& options)
-      : scene_(scene), store_(store), options_(options), hands_{options.from_hand, scene.hand} {
+      : scene_(scene),
+        store_(store),
+        options_(completed(options, *scene.object, store)),
+        hands_{options.from_hand, scene.hand} {
     if (!hands_.from) hands_.from = scene.hand;
   }
 
@@ -56,30 +69,38 @@ class Transfer {
 
  private:
   void find_candidates();
+  const TriangleMesh& part_seen() const;
   NeighborQuery query() const;
   std::unique_ptr<const CollisionModel> prepare(int threads) const;
 
   const Scene& scene_;
   const TransferStore& store_;
-  const TransferOptions& options_;
+  TransferOptions options_;
   HandPair hands_;
   Candidates candidates_;
 };
 
+const TriangleMesh& Transfer::part_seen() const {
+  if (!scene_.object->seen)
+    fail("{}: is no scan of one side, so that it cannot be looked up among views; take another distance",
+         scene_.object->name);
+  return *scene_.object->seen;
+}
+
 NeighborQuery Transfer::query() const {
   NeighborQuery query;
-  query.distance = options_.distance;
+  query.distance = *options_.distance;
   query.tags = options_.tags;
   query.seed = options_.plan.seed;
   query.without = options_.without;
   if (query.distance == NeighborDistance::zernike && store_.shapes().size() > 0)
     query.values = describe_object(scene_.object->mesh).values;
+  if (query.distance == NeighborDistance::views) query.values = describe_object(part_seen()).values;
   return query;
 }
 
 void Transfer::find_candidates() {
-  const ObjectModel& object = *scene_.object;
-  TransferTarget target(store_, object.mesh, approximate_radius(object.mesh, object.center_of_mass));
+  TransferTarget target(store_, *scene_.object);
   candidates_ = target.find_candidates(rank_neighbors(store_, query()), hands_, options_.candidates);
 }
 

@@ -10,17 +10,26 @@
 
 namespace eigengrasp {
 
+namespace {
+
+constexpr std::pair<NeighborDistance, const char*> kDistanceNames[] = {
+    {NeighborDistance::zernike, "zernike"},
+    {NeighborDistance::views, "views"},
+    {NeighborDistance::classes, "class"},
+    {NeighborDistance::random, "random"}};
+
+}  // namespace
+
 const char* to_string(NeighborDistance distance) {
-  return distance == NeighborDistance::zernike   ? "zernike"
-         : distance == NeighborDistance::classes ? "class"
-                                                 : "random";
+  for (const auto& [value, name] : kDistanceNames)
+    if (value == distance) return name;
+  return "";
 }
 
 NeighborDistance parse_neighbor_distance(const std::string& name) {
-  for (const NeighborDistance d :
-       {NeighborDistance::zernike, NeighborDistance::classes, NeighborDistance::random})
-    if (name == to_string(d)) return d;
-  fail("the distance is '{}', expected zernike, class or random", name);
+  for (const auto& [value, known] : kDistanceNames)
+    if (name == known) return value;
+  fail("the distance is '{}', expected zernike, views, class or random", name);
 }
 
 TransferStore::TransferStore(GraspStore& store) : store_(store), models_(store.models()), shapes_(store) {
@@ -29,6 +38,11 @@ TransferStore::TransferStore(GraspStore& store) : store_(store), models_(store.m
         "{}: holds no objects; 'eigengrasp db add-objects' adds them, and 'eigengrasp db build' plans grasps",
         store.place());
   for (std::size_t i = 0; i < models_.size(); ++i) places_.emplace(models_[i].name, i);
+}
+
+const StoredViews& TransferStore::views() const {
+  std::call_once(views_read_, [this] { views_.emplace(store_); });
+  return *views_;
 }
 
 const StoredModel* TransferStore::find(const std::string& name) const {
@@ -44,6 +58,15 @@ std::vector<RankedNeighbor> by_descriptor(const TransferStore& store, const Neig
   std::vector<RankedNeighbor> ranked;
   for (const auto& [name, distance] :
        store.shapes().find_nearest(query.values, store.shapes().size(), query.without))
+    ranked.push_back({store.find(name), distance});
+  return ranked;
+}
+
+std::vector<RankedNeighbor> by_views(const TransferStore& store, const NeighborQuery& query) {
+  if (store.views().empty())
+    fail("{}: holds no descriptors of views; 'eigengrasp db describe' computes them", store.store().place());
+  std::vector<RankedNeighbor> ranked;
+  for (const auto& [name, distance] : store.views().rank(query.values, query.without))
     ranked.push_back({store.find(name), distance});
   return ranked;
 }
@@ -87,6 +110,8 @@ std::vector<RankedNeighbor> rank_neighbors(const TransferStore& store, const Nei
   switch (query.distance) {
     case NeighborDistance::zernike:
       return by_descriptor(store, query);
+    case NeighborDistance::views:
+      return by_views(store, query);
     case NeighborDistance::classes:
       return by_class(store, query);
     case NeighborDistance::random:

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "eigengrasp/core/error.hpp"
+#include "eigengrasp/database/graspable_size.hpp"
 #include "eigengrasp/jobs/prepared_parts.hpp"
 #include "eigengrasp/kinematics/forward_kinematics.hpp"
 #include "eigengrasp/kinematics/hand_parts.hpp"
@@ -47,8 +48,11 @@ VecX posture_of_other_hand(const HandModel& from, const VecX& amplitudes, const 
   return clamp_posture(to, target.embed(mapped));
 }
 
-TransferTarget::TransferTarget(const TransferStore& store, const TriangleMesh& mesh, double radius)
-    : store_(store), shape_(make_alignment_shape(mesh)), radius_(radius) {}
+TransferTarget::TransferTarget(const TransferStore& store, const ObjectModel& object)
+    : store_(store),
+      shape_(object.seen ? make_alignment_shape(object.mesh, *object.seen)
+                         : make_alignment_shape(object.mesh)),
+      radius_(approximate_radius(object.mesh, object.center_of_mass)) {}
 
 namespace {
 
@@ -64,7 +68,13 @@ std::vector<StoredGrasp> usable_grasps(GraspStore& store, const std::string& mod
   return grasps;
 }
 
+/// A scan is laid upon the neighbour, with what was seen of it alone.
 Alignment aligned(const AlignmentShape& neighbor, const AlignmentShape& object, const std::string& method) {
+  if (method == kIcpAlignment && !object.seen.empty()) {
+    AlignmentOptions options;
+    options.one_sided = true;
+    return inverse(align_by_icp(object, neighbor, options));
+  }
   return method == kIcpAlignment ? align_by_icp(neighbor, object) : align_by_pca(neighbor, object);
 }
 

@@ -12,7 +12,7 @@ namespace eigengrasp {
 
 std::string transfer_planner_name(const TransferOptions& options) {
   std::string name =
-      fmt::format("{}{}/{}", kTransferPlanner, to_string(options.distance), options.candidates.alignment);
+      fmt::format("{}{}/{}", kTransferPlanner, to_string(*options.distance), options.candidates.alignment);
   if (options.from_hand) name += "/" + options.from_hand->name;
   return name;
 }

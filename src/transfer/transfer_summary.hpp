@@ -9,6 +9,7 @@
 namespace eigengrasp {
 
 /// Such as "transfer/zernike/pca", or with another hand's grasps "transfer/zernike/pca/human".
+/// @pre distance and alignment are chosen
 std::string transfer_planner_name(const TransferOptions& options);
 
 /// Sets the sentence that says what was found, or why nothing was.

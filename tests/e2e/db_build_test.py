@@ -4,9 +4,11 @@
 interruptions or kills."""
 import json
 import random
+import re
 import signal
 import shutil
 import sqlite3
+import subprocess
 import time
 import support
 from store_support import StoreTest
@@ -32,6 +34,18 @@ class Build(StoreTest):
         self.assertIn('12 of 12 units have ended (100.0 %), 0 of them failed; 0 are claimed, 0 wait', status)
         show = self.succeed('db', 'show', 'sqlite:g.db', 'box0', '--hand', 'human', '--scale', '0.75').stdout
         self.assertEqual(show.count(' yes '), 3, show)
+
+    def test_status_measures_the_rate_when_asked(self):
+        self.store()
+        idle = self.succeed('db', 'status', 'sqlite:g.db', '--over', '50ms').stdout
+        self.assertIn('rate        0.00 units/s, measured over', idle)
+        status = subprocess.Popen([str(support.PROGRAM), 'db', 'status', 'sqlite:g.db', '--over', '10s'],
+                                  cwd=self.folder, stdout=subprocess.PIPE, text=True)
+        self.succeed('db', 'build', 'sqlite:g.db', *SMALL)
+        rate = re.search(r'rate +([\d.]+) units/s, measured over 10 s', status.communicate(timeout=60)[0])
+        self.assertIsNotNone(rate)
+        self.assertLessEqual(float(rate[1]), 1.2)  # 12 units
+        self.refuse(['db', 'status', 'sqlite:g.db', '--over', 'soon'], '--over', 'soon')
 
     def test_jobs_do_not_change_the_result(self):
         self.store()

@@ -160,7 +160,7 @@ TEST_F(BadStores, an_older_schema_is_brought_up_to_date) {
     expect_sentence(open_error(address, StoreAccess::read), {"older version 1", "db describe"});
     open_store(address);  // to write
     expect_intact(address);
-    EXPECT_TRUE(open_store(address, {.access = StoreAccess::read})->descriptors().empty());
+    EXPECT_TRUE(open_store(address, {.access = StoreAccess::read})->descriptors("").empty());
   }
 }
 

@@ -42,7 +42,7 @@ class StoreCopy : public testing::StoreFixture {
     EXPECT_EQ(a.hands(), b.hands());
     EXPECT_EQ(a.sources(), b.sources());
     EXPECT_EQ(a.units(), b.units());
-    EXPECT_EQ(a.descriptors(), b.descriptors());
+    EXPECT_EQ(a.descriptors(""), b.descriptors(""));
     EXPECT_EQ(a.neighbors(), b.neighbors());
     EXPECT_EQ(a.alignments(), b.alignments());
     EXPECT_EQ(a.counts(), b.counts());

@@ -303,8 +303,12 @@ TEST_P(StoreLaws, descriptors_read_back_equal_and_take_the_place_of_old_ones) {
   bad.model = "cup";
   expect_sentence(error_of([&] { store_->set_descriptors({bad}); }), {"'cup'"});
   reopen();
-  EXPECT_EQ(store_->descriptors(), (std::vector<StoredDescriptor>{plane, glass, solid}));
-  EXPECT_TRUE(std::signbit(store_->descriptors()[1].center.y()));
+  EXPECT_EQ(store_->descriptors(""), (std::vector<StoredDescriptor>{plane, glass, solid}));
+  EXPECT_TRUE(std::signbit(store_->descriptors("")[1].center.y()));
+  EXPECT_EQ(store_->descriptors("solid"), (std::vector<StoredDescriptor>{solid}));
+  EXPECT_TRUE(store_->descriptors("volume").empty());
+  EXPECT_EQ(store_->described("surface"), (std::vector<std::string>{"psb_12", "glass"}));
+  EXPECT_TRUE(store_->described("volume").empty());
   EXPECT_EQ(store_->counts().descriptors, 3);
 }
 

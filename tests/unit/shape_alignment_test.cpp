@@ -109,6 +109,37 @@ TEST(Alignment, OneSidedLaysAPartUponTheWhole) {
   EXPECT_LT(misplaced(part, a, R, 1.0, Vec3::Zero()), 0.03);
 }
 
+// The guess lies the unseen half elsewhere; only what was seen tells.
+TEST(Alignment, AScanIsLaidUponTheWholeByWhatWasSeen) {
+  const TriangleMesh whole = chiral_shape();
+  TriangleMesh seen = whole;
+  seen.triangles.resize(seen.triangles.size() - 6);
+  TriangleMesh guessed = seen;
+  const int first = static_cast<int>(guessed.vertices.size());
+  for (const Vec3& corner : {Vec3(0.3, 0.3, 0.0), Vec3(0.4, 0.3, 0.0), Vec3(0.3, 0.4, 0.0)})
+    guessed.vertices.push_back(corner);
+  guessed.triangles.push_back({first, first + 1, first + 2});
+  RandomStream stream{11};
+  const Mat3 R = random_rotation(stream);
+  AlignmentOptions options;
+  options.match_scale = false;
+  options.one_sided = true;
+  options.iterations = 40;
+  const AlignmentShape target = make_alignment_shape(moved(whole, R, 1.0, Vec3::Zero()));
+  const Alignment a = align_by_icp(make_alignment_shape(guessed, seen), target, options);
+  EXPECT_LT(a.distance, 0.02);
+  EXPECT_LT(misplaced(seen, a, R, 1.0, Vec3::Zero()), 0.03);
+}
+
+TEST(Alignment, TheInverseLeadsBack) {
+  const AlignmentShape a = make_alignment_shape(chiral_shape());
+  RandomStream stream{12};
+  const AlignmentShape b =
+      make_alignment_shape(moved(chiral_shape(), random_rotation(stream), 1.7, Vec3(1.0, 2.0, 3.0)));
+  const Alignment there = align_by_icp(a, b), back = inverse(there);
+  EXPECT_LT((back.matrix(back.scale) * there.matrix(there.scale) - Eigen::Matrix4d::Identity()).norm(), 1e-12);
+}
+
 TEST(Alignment, ShapesWithoutAreaAreRefused) {
   EXPECT_THROW(make_alignment_shape({}), Error);
   TriangleMesh line;

@@ -16,6 +16,8 @@
 #include "eigengrasp/kinematics/forward_kinematics.hpp"
 #include "eigengrasp/kinematics/hand_parts.hpp"
 #include "eigengrasp/planning/pregrasp_fitting.hpp"
+#include "eigengrasp/render/depth_camera.hpp"
+#include "eigengrasp/scan/scan_surface.hpp"
 #include "eigengrasp/transfer/grasp_transfer.hpp"
 #include "support/shipped_scenes.hpp"
 
@@ -234,6 +236,36 @@ TEST_F(Transfer, brings_the_grasps_of_an_object_to_a_turned_and_scaled_copy) {
   }
 }
 
+/// What a camera sees of the object, as a scan of which a surface was made.
+ObjectModel scanned(const ObjectModel& object, const Vec3& to_camera) {
+  DepthCamera depth;
+  depth.camera = frame_camera(bounding_box(object.mesh), -to_camera, Vec3::UnitZ());
+  depth.camera.position += 0.2 * to_camera.normalized();
+  depth.columns = depth.rows = 240;
+  const ScanSurface surface = make_scan_surface({take_depth_view(object.mesh, depth, 1)});
+  ObjectModel scan = make_object("scan", surface.mesh);
+  scan.seen = std::make_shared<const TriangleMesh>(seen_part(surface));
+  return scan;
+}
+
+TEST_F(Transfer, finds_a_scan_of_one_side_among_the_views) {
+  Scene scene = moved_flask(1.0);
+  const Vec3 to_camera = tilted().linear() * Vec3(0.5, -0.9, 0.4);
+  scene.object = std::make_shared<const ObjectModel>(scanned(*scene.object, to_camera));
+  const TransferResult result = transfer_grasps(scene, TransferStore(*store_), options());
+  ASSERT_EQ(result.neighbors.size(), 1u);
+  EXPECT_EQ(result.neighbors[0].object, "flask");
+  EXPECT_EQ(result.neighbors[0].alignment.method, kIcpAlignment);
+  ASSERT_EQ(result.plan.status, PlanStatus::found) << result.plan.explanation;
+  EXPECT_EQ(result.plan.grasps[0].provenance.planner, "transfer/views/pca-icp");
+}
+
+TEST_F(Transfer, looks_only_scans_up_among_the_views) {
+  TransferOptions o = options();
+  o.distance = NeighborDistance::views;
+  EXPECT_NE(error_of(moved_flask(1.0), o).find("no scan of one side"), std::string::npos);
+}
+
 TEST_F(Transfer, does_not_depend_on_the_number_of_threads) {
   const Scene scene = moved_flask(1.02);
   TransferOptions one = options(), four = options();
@@ -254,8 +286,7 @@ TEST_F(Transfer, does_not_depend_on_the_number_of_threads) {
 TEST_F(Transfer, tries_the_best_candidates_of_the_nearest_neighbour_first) {
   const TransferStore store(*store_);
   const Scene scene = moved_flask(1.0);
-  TransferTarget target(store, scene.object->mesh,
-                        approximate_radius(scene.object->mesh, scene.object->center_of_mass));
+  TransferTarget target(store, *scene.object);
   NeighborQuery query;
   query.values = describe_object(scene.object->mesh).values;
   CandidateOptions choice;

@@ -74,7 +74,10 @@ class GraspStore {
 
   /// A descriptor of the same object by the same function takes the place of the old one.
   virtual void set_descriptors(const std::vector<StoredDescriptor>& descriptors) = 0;
-  virtual std::vector<StoredDescriptor> descriptors() = 0;
+  /// Those by one function, or all where it is empty; in the order in which objects were described.
+  virtual std::vector<StoredDescriptor> descriptors(const std::string& function) = 0;
+  /// Names of the objects that have a descriptor by the function.
+  virtual std::vector<std::string> described(const std::string& function) = 0;
   /// A distance of the same pair by the same function takes the place of the old one. Alignments likewise.
   virtual void set_neighbors(const std::vector<StoredNeighbor>& neighbors) = 0;
   virtual std::vector<StoredNeighbor> neighbors() = 0;

@@ -21,6 +21,8 @@ struct ObjectModel {
   double max_radius = 0.0;  ///< largest distance of a vertex from the centre of mass [m]: the torque scale
   std::string material;     ///< of the friction table; empty: unknown
   bool watertight = false;
+  /// Of a scan: the part of the surface that was seen, in O [m]; the rest is guessed. None: all is known.
+  std::shared_ptr<const TriangleMesh> seen;
 
   // One distance field serves all scales of an object.
   double scale = 1.0;                     ///< of the mesh; 1 is the mesh that the distance field is made of

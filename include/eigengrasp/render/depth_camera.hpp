@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include "eigengrasp/geometry/point_cloud.hpp"
 #include "eigengrasp/render/camera.hpp"
@@ -23,5 +25,10 @@ struct DepthCamera {
 /// The points that it sees of a mesh, with its position as viewpoint; maybe none. The same seed gives the
 /// same noise. Cost: about 0.1 us a pixel.
 PointCloud take_depth_view(const TriangleMesh& mesh, const DepthCamera& camera, std::uint64_t seed);
+
+/// The open surface that each of the cameras sees of a mesh, without noise: neighbouring pixels are joined
+/// where no jump in depth lies between them. Maybe empty. Cost: about 0.2 us a pixel, and 1 us a triangle of
+/// the mesh.
+std::vector<TriangleMesh> take_surface_views(const TriangleMesh& mesh, std::span<const DepthCamera> cameras);
 
 }  // namespace eigengrasp

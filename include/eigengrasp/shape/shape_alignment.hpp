@@ -20,11 +20,16 @@ struct AlignmentShape {
   Mat3 axes = Mat3::Identity();       ///< principal axes, right-handed; by falling variance
   Vec3 deviations = Vec3::Zero();     ///< standard deviations along them over the size, falling
   std::vector<Vec3> points, normals;  ///< spread evenly over the area, always the same; (p - center) / size
+  std::vector<Vec3> seen;             ///< of a scan: likewise, over what was seen; else empty
 };
 
 /// Cost: about 1.5 us a triangle. @throws Error for an empty mesh, numbers that are not finite, or a
 /// surface without area
 AlignmentShape make_alignment_shape(const TriangleMesh& mesh);
+
+/// A scan: one-sided alignments from it to other shapes ask only where the part lies that was seen.
+/// @param seen part of the mesh's surface, which is guessed elsewhere. Cost and errors as above
+AlignmentShape make_alignment_shape(const TriangleMesh& mesh, const TriangleMesh& seen);
 
 /// How one shape is laid upon another: the point p of the model goes to
 ///   center_target + scale * R * (p - center_model).
@@ -44,6 +49,9 @@ struct Alignment {
   Eigen::Matrix4d matrix(double with_scale) const;
 };
 
+/// The way back: from the target to the model.
+Alignment inverse(const Alignment& alignment);
+
 inline constexpr const char* kPcaAlignment = "pca";
 inline constexpr const char* kIcpAlignment = "pca-icp";
 
@@ -54,7 +62,7 @@ struct AlignmentOptions {
   // Of icp alone:
   int seeds = 4;           ///< best rotations that are refined, >= 1
   int iterations = 12;     ///< of each, >= 1
-  bool one_sided = false;  ///< only from the model to the target: a model that is part of the target
+  bool one_sided = false;  ///< only from the model, or what was seen of it, to the target
 };
 
 /// Principal axes upon principal axes, centre upon centre. Axes have no sense of direction: the 4 proper

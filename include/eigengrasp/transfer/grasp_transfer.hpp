@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The eigengrasp authors
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,8 +12,10 @@
 namespace eigengrasp {
 
 struct TransferOptions {
-  NeighborDistance distance = NeighborDistance::zernike;
-  CandidateOptions candidates = {.neighbors = 5, .most = 6, .alignment = kPcaAlignment, .threads = 1};
+  /// None: by views, where only a part of the object was seen and the store has views; else by zernike.
+  std::optional<NeighborDistance> distance;
+  /// Alignment: where it is empty, pca-icp where only a part of the object was seen, else pca.
+  CandidateOptions candidates = {.neighbors = 5, .most = 6, .alignment = "", .threads = 1};
   double min_epsilon = 0.0;          ///< threshold tau of Algorithm 1; form closure is asked for in any case
   std::vector<std::string> without;  ///< objects of the store that are not looked at
   std::vector<std::string> tags;     ///< the object's class, outermost first; of classes alone

@@ -4,22 +4,26 @@
 
 #include <cstdint>
 #include <map>
+#include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "eigengrasp/database/grasp_store.hpp"
 #include "eigengrasp/jobs/stored_shapes.hpp"
+#include "eigengrasp/jobs/stored_views.hpp"
 
 namespace eigengrasp {
 
 /// Which objects of a store count as like the object to be grasped (section VI-B of the paper).
 enum class NeighborDistance {
   zernike,  ///< the least distance of the descriptors
+  views,    ///< the least distance of a view's descriptor from those of the views that are stored
   classes,  ///< the longest common part of the tags, which name a class, outermost first; else arbitrary
   random,   ///< arbitrary: the paper's unordered neighbours
 };
 
-/// "zernike", "class", "random".
+/// "zernike", "views", "class", "random".
 const char* to_string(NeighborDistance distance);
 /// @throws Error for another name, listing these
 NeighborDistance parse_neighbor_distance(const std::string& name);
@@ -35,17 +39,21 @@ class TransferStore {
   /// Null where there is no such object.
   const StoredModel* find(const std::string& name) const;
   const StoredShapes& shapes() const { return shapes_; }
+  /// Read when they are first asked for. @throws as StoredViews
+  const StoredViews& views() const;
 
  private:
   GraspStore& store_;
   std::vector<StoredModel> models_;
   std::map<std::string, std::size_t> places_;
   StoredShapes shapes_;
+  mutable std::once_flag views_read_;
+  mutable std::optional<StoredViews> views_;
 };
 
 struct NeighborQuery {
   NeighborDistance distance = NeighborDistance::zernike;
-  std::vector<float> values;         ///< of the object's descriptor; of zernike alone
+  std::vector<float> values;         ///< of the object's descriptor, or of its view's; of zernike and views
   std::vector<std::string> tags;     ///< of the object; of classes alone
   std::uint64_t seed = 1;            ///< of what is arbitrary
   std::vector<std::string> without;  ///< objects that are left out
@@ -53,12 +61,12 @@ struct NeighborQuery {
 
 struct RankedNeighbor {
   const StoredModel* model = nullptr;  ///< in the TransferStore
-  double distance = 0.0;  ///< zernike: of the descriptors; classes: tags that are not common; random: 0
+  double distance = 0.0;  ///< zernike, views: of the descriptors; classes: tags that are not common; random: 0
 };
 
-/// All objects of the store but for those left out, the most like one first. By zernike only those that are
-/// described. Cost: below 1 ms for 2,000 objects.
-/// @throws Error where nothing is described (zernike), or tags are missing (classes)
+/// All objects of the store but for those left out, the most like one first. By zernike and views only those
+/// that are described. Cost: below 1 ms for 2,000 objects.
+/// @throws Error where nothing is described (zernike, views), or tags are missing (classes)
 std::vector<RankedNeighbor> rank_neighbors(const TransferStore& store, const NeighborQuery& query);
 
 }  // namespace eigengrasp

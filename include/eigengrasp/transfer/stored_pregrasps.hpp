@@ -68,8 +68,8 @@ struct Candidates {
 /// An object to which grasps are brought. For one thread.
 class TransferTarget {
  public:
-  /// @param mesh of the object [m] @param radius approximate [m]. @throws as make_alignment_shape
-  TransferTarget(const TransferStore& store, const TriangleMesh& mesh, double radius);
+  /// @throws as make_alignment_shape
+  TransferTarget(const TransferStore& store, const ObjectModel& object);
 
   /// The form-closed stored pre-grasps of the first neighbours that have some with the hand. Each neighbour
   /// is aligned once an object, whatever it is asked for. Neighbours whose geometry cannot be read are passed
