@@ -34,9 +34,9 @@ int run_describe(DescribeChoice choice) {
     report = describe_store(*store, options);
   }
   for (const std::string& sentence : report.bad) warn(sentence + "; left out");
-  fmt::print("{}: {} objects described, {} were; views of {} objects, {} neighbours and {} alignments are new\n",
-             store->place(), report.described, report.there, report.viewed, report.neighbors,
-             report.alignments);
+  fmt::print(
+      "{}: {} objects described, {} were; views of {} objects, {} neighbours and {} alignments are new\n",
+      store->place(), report.described, report.there, report.viewed, report.neighbors, report.alignments);
   if (report.stopped) fmt::print(stderr, "eigengrasp: stopped; the same command goes on\n");
   return report.stopped ? nothing_found : success;
 }

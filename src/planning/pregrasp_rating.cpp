@@ -117,7 +117,8 @@ std::vector<std::size_t> Rating::pick_distinct(const std::vector<Tried>& tried) 
 
 void Rating::finish_grasps(std::vector<Grasp>& grasps) const {
   if (options_.volumes)
-    parallel_for(grasps.size(), options_.threads, [&](std::size_t i, int) { add_volume(energy_, grasps[i]); });
+    parallel_for(grasps.size(), options_.threads,
+                 [&](std::size_t i, int) { add_volume(energy_, grasps[i]); });
   for (Grasp& g : grasps)
     g.provenance = {planner_name(options_), options_.seed, options_digest(options_), version()};
 }

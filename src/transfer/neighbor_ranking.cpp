@@ -12,11 +12,10 @@ namespace eigengrasp {
 
 namespace {
 
-constexpr std::pair<NeighborDistance, const char*> kDistanceNames[] = {
-    {NeighborDistance::zernike, "zernike"},
-    {NeighborDistance::views, "views"},
-    {NeighborDistance::classes, "class"},
-    {NeighborDistance::random, "random"}};
+constexpr std::pair<NeighborDistance, const char*> kDistanceNames[] = {{NeighborDistance::zernike, "zernike"},
+                                                                       {NeighborDistance::views, "views"},
+                                                                       {NeighborDistance::classes, "class"},
+                                                                       {NeighborDistance::random, "random"}};
 
 }  // namespace
 

@@ -147,7 +147,7 @@ class Transfer(EndToEnd):
         self.refuse(['transfer', 'cube', '--store', 'sqlite:g.db', '--hand', 'dlr'], "no grasps with the hand 'dlr'",
                     'barrett-rubber, human')
         self.refuse(['transfer', 'nothing', *to], 'nothing')
-        self.refuse(['transfer', 'cube', *to, '--distance', 'like'], "'like'", 'zernike, class or random')
+        self.refuse(['transfer', 'cube', *to, '--distance', 'like'], "'like'", 'zernike, views, class or random')
         self.refuse(['transfer', 'cube', *to, '--distance', 'class'], 'has no class', 'tags')
         self.refuse(['transfer', 'cube', *to, '--neighbors', '0'], 'neighbors is 0')
         self.refuse(['transfer', 'cube', *to, '--alignment', 'icp'], "'icp'", 'pca-icp')

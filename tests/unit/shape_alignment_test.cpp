@@ -137,7 +137,8 @@ TEST(Alignment, TheInverseLeadsBack) {
   const AlignmentShape b =
       make_alignment_shape(moved(chiral_shape(), random_rotation(stream), 1.7, Vec3(1.0, 2.0, 3.0)));
   const Alignment there = align_by_icp(a, b), back = inverse(there);
-  EXPECT_LT((back.matrix(back.scale) * there.matrix(there.scale) - Eigen::Matrix4d::Identity()).norm(), 1e-12);
+  EXPECT_LT((back.matrix(back.scale) * there.matrix(there.scale) - Eigen::Matrix4d::Identity()).norm(),
+            1e-12);
 }
 
 TEST(Alignment, ShapesWithoutAreaAreRefused) {

@@ -34,11 +34,11 @@ struct DescribeReport {
 };
 
 /// Stores what transfer needs of every object at scale 1: its surface descriptor; its views
-/// (describe_views); its nearest neighbours by the distance kZernikeDistance; and the alignments of each neighbour to the object (model: the neighbour,
-/// target: the object), by kPcaAlignment and kIcpAlignment, their scale included. What is there already is
-/// kept; a neighbour that no longer is among the nearest, as objects were added, stays with its distance.
-/// Cost: 30 ms of a core for a descriptor of 5,000 triangles, 0.2 s for an object's views and for its five
-/// alignments each.
+/// (describe_views); its nearest neighbours by the distance kZernikeDistance; and the alignments of each
+/// neighbour to the object (model: the neighbour, target: the object), by kPcaAlignment and kIcpAlignment,
+/// their scale included. What is there already is kept; a neighbour that no longer is among the nearest, as
+/// objects were added, stays with its distance. Cost: 30 ms of a core for a descriptor of 5,000 triangles,
+/// 0.2 s for an object's views and for its five alignments each.
 /// @throws Error where the options are not sound, or the store cannot be written
 DescribeReport describe_store(GraspStore& store, const DescribeOptions& options);
 

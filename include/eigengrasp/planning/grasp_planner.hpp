@@ -70,8 +70,8 @@ struct PlanOptions {
   WrenchNorm norm = WrenchNorm::l1;
   ConeModel cone = ConeModel::edges;
   int cone_edges = 8;
-  double epsilon_min = 1e-6;                     ///< form closure: epsilon at least this
-  double torque_scale = 0.0;                     ///< [m]; 0: the object's max_radius
+  double epsilon_min = 1e-6;  ///< form closure: epsilon at least this
+  double torque_scale = 0.0;  ///< [m]; 0: the object's max_radius
   bool volumes = true;  ///< of the wrench spaces of the grasps that are kept, 2-15 ms each; false: they are 0
   std::shared_ptr<PreparationCache> cache = {};  ///< keeps what is made of meshes; none: all is made anew
   const StopFlag* stop = nullptr;  ///< asked every few milliseconds; what was found until then is returned

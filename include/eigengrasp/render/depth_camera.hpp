@@ -26,8 +26,9 @@ struct DepthCamera {
 /// same noise. Cost: about 0.1 us a pixel.
 PointCloud take_depth_view(const TriangleMesh& mesh, const DepthCamera& camera, std::uint64_t seed);
 
-/// The open surface that each of the cameras sees of a mesh, without noise: neighbouring pixels are joined
-/// where no jump in depth lies between them. Maybe empty. Cost: about 0.2 us a pixel, and 1 us a triangle of
+/// The open surface that each of the cameras sees of a mesh, without noise: the corners of a triangle of
+/// neighbouring pixels are joined unless their distances differ by more than those of neighbours on a surface
+/// that is seen at the least cosine. Maybe empty. Cost: about 0.2 us a pixel, and 1 us a triangle of
 /// the mesh.
 std::vector<TriangleMesh> take_surface_views(const TriangleMesh& mesh, std::span<const DepthCamera> cameras);
 

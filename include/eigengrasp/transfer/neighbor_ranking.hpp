@@ -61,7 +61,8 @@ struct NeighborQuery {
 
 struct RankedNeighbor {
   const StoredModel* model = nullptr;  ///< in the TransferStore
-  double distance = 0.0;  ///< zernike, views: of the descriptors; classes: tags that are not common; random: 0
+  double distance =
+      0.0;  ///< zernike, views: of the descriptors; classes: tags that are not common; random: 0
 };
 
 /// All objects of the store but for those left out, the most like one first. By zernike and views only those
