@@ -55,8 +55,9 @@ int reproduce_partial(PartialChoice& choice) {
     fmt::print(stderr, "eigengrasp: stopped; nothing was written\n");
     return nothing_found;
   }
-  const ExperimentRecord record =
-      make_record("eigengrasp reproduce partial --store STORE --complete DIR --scans DIR");
+  const ExperimentRecord record = make_record(
+      fmt::format("eigengrasp reproduce partial --store STORE --complete DIR --scans DIR --neighbors {}",
+                  options.neighbors));
   for (const ResultPicture& picture : result.pictures) save_png(picture.image, choice.out / picture.file);
   write_file_atomically(choice.out / "partial.json", partial_scans_json(result, record));
   write_file_atomically(choice.out / "partial.md", partial_scans_markdown(result, options, record));
@@ -78,6 +79,10 @@ void add_reproduce_partial(CLI::App& reproduce, int& exit_code) {
                    "SCAN=COMPLETE for each scanned object whose complete one has another name")
       ->delimiter(',');
   partial->add_option("--hands", choice->hands, "Hands (default: barrett-rubber,human)")->delimiter(',');
+  partial
+      ->add_option("--neighbors", choice->options.neighbors,
+                   "Objects of the store to take grasps of (default: 5)")
+      ->check(CLI::Range(1, 1000));
   partial->add_option("--views", choice->options.views, "Simulated views of each object (default: 3)")
       ->check(CLI::Range(1, 100));
   partial->add_option("--seed", choice->options.seed, "Of noise and planner");

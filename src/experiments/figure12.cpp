@@ -47,7 +47,8 @@ class Figure12Experiment {
 
  private:
   std::vector<const StoredModel*> pick_models();
-  Figure12Model run_model(const StoredModel& model, std::size_t number) const;
+  /// @param model of the store, whose place there goes into the seed, whichever models are picked
+  Figure12Model run_model(const StoredModel& model) const;
   Figure12Run transfer(TransferTarget& target, const CollisionModel& collision, const PreparedHand& hand,
                        const NeighborQuery& query) const;
   Figure12Run planned(const StoredModel& model, const HandModel& hand) const;
@@ -119,7 +120,7 @@ Figure12Run Figure12Experiment::planned(const StoredModel& model, const HandMode
   return run;
 }
 
-Figure12Model Figure12Experiment::run_model(const StoredModel& model, std::size_t number) const {
+Figure12Model Figure12Experiment::run_model(const StoredModel& model) const {
   Figure12Model result;
   result.name = model.name;
   const CoreWatch watch;
@@ -134,7 +135,7 @@ Figure12Model Figure12Experiment::run_model(const StoredModel& model, std::size_
   NeighborQuery query;
   query.values = transfers_.shapes().values(model.name);
   query.tags = model.tags;
-  query.seed = options_.seed * 1000003 + number;
+  query.seed = options_.seed * 1000003 + static_cast<std::uint64_t>(&model - transfers_.models().data());
   query.without = {model.name};
   for (const PreparedHand& hand : hands_) {
     scene.hand = hand.model;
@@ -175,7 +176,7 @@ Figure12 Figure12Experiment::run() {
     if (stopped()) return;
     const std::size_t i = missing[k];
     try {
-      Figure12Model model = run_model(*models[i], i);
+      Figure12Model model = run_model(*models[i]);
       if (stopped()) return;
       const std::scoped_lock lock(mutex);
       progress.add(model);

@@ -151,6 +151,7 @@ std::vector<Grasp> PartialTrials::find_grasps(const Scene& scene, ScanPlanner pl
   PlanResult plan;
   if (planner == ScanPlanner::transfer) {
     TransferOptions transfer;
+    transfer.candidates.neighbors = options_.neighbors;
     transfer.candidates.most = 0;
     transfer.plan = plan_options(planner);
     plan = transfer_grasps(scene, store_, transfer).plan;

@@ -128,12 +128,12 @@ std::string partial_scans_markdown(const PartialScans& result, const PartialScan
       "A depth camera sees one side of an object. The space behind it is taken to hold the mirror image of "
       "what is "
       "seen\n(how: docs/theory/scans.md); grasps are then found on that surface, by transfer from the store "
-      "(5 "
+      "({} "
       "neighbours, all their\npre-grasps) and by the planner (70,000 states, {} grasps). The store holds {} "
       "objects "
       "and {} grasps; {} of its units wait.\n\n",
-      record.command, record.version, describe(record.machine), options.best, store.models, store.grasps,
-      store.waiting);
+      record.command, record.version, describe(record.machine), options.neighbors, options.best, store.models,
+      store.grasps, store.waiting);
   const auto has = [&](bool simulated) {
     return std::any_of(result.trials.begin(), result.trials.end(),
                        [&](const ScanTrial& t) { return t.simulated == simulated; });

@@ -29,6 +29,7 @@ struct PartialScansOptions {
   std::vector<std::shared_ptr<const HandModel>> hands;
   /// Name of a scanned object and of its complete one, where neither holds the other.
   std::map<std::string, std::string> same;
+  int neighbors = 5;      ///< of the store, from which grasps are transferred; 1 to 1000
   int views = 3;          ///< simulated, of each object
   int best = 20;          ///< grasps that are tried on the complete object
   double distance = 0.7;  ///< of the simulated camera [m]
