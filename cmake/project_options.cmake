@@ -21,6 +21,10 @@ endif()
 if(EIGENGRASP_SANITIZE)
   target_compile_options(eigengrasp_options INTERFACE -fsanitize=${EIGENGRASP_SANITIZE}
                          -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  # GCC 12 warns of its own string::operator= where a sanitizer keeps it from seeing the lengths.
+  if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    target_compile_options(eigengrasp_options INTERFACE -Wno-restrict)
+  endif()
   target_link_options(eigengrasp_options INTERFACE -fsanitize=${EIGENGRASP_SANITIZE})
 endif()
 
