@@ -51,7 +51,7 @@ void add_db_describe(CLI::App& db, int& exit_code) {
   describe->add_option("store", choice->store, kStoreHelp)->required();
   describe->add_option("--neighbors", options.neighbors, "Of each object (default: 5)");
   describe->add_flag("!--no-views", options.views, "No descriptors of views, by which scans find their like");
-  describe->add_flag("!--no-align", options.align, "No alignments, which take most of the time");
+  describe->add_flag("!--no-align", options.align, "No alignments, which take half of the time");
   describe->add_option("--jobs", options.threads, "Threads (default: all); does not change the result");
   describe->footer(
       "What is there is kept: the same command goes on where it was stopped, and describes what was added "

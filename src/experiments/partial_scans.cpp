@@ -241,9 +241,7 @@ ScanTrial PartialTrials::run(const ViewTask& task, std::vector<ResultPicture>& p
     trial.seconds = watch.seconds();
     trial.mirrored = surface.mirror.has_value();
     trial.seen_share = surface.seen_share;
-    ObjectModel object = make_object(trial.object, surface.mesh);
-    object.seen = std::make_shared<const TriangleMesh>(seen_part(surface));
-    seen = std::make_shared<const ObjectModel>(std::move(object));
+    seen = std::make_shared<const ObjectModel>(make_scanned_object(trial.object, surface));
     if (!task.simulated) complete = lay_upon_complete(surface, trial);
   } catch (const Error& e) {
     trial.failure = e.what();

@@ -97,9 +97,10 @@ std::string table3_markdown(const Table3& table, const ExperimentRecord& record,
       "The "
       "paper's has 238,737, of 7,256\nobjects at four sizes, made in a month on six multi-core "
       "computers.\n\n{}\n"
-      "{} grasps in {:.2f} core-hours; {} objects without any grasp; {} units ended at the time limit.\n",
+      "{} grasps in {:.2f} core-hours, {:.0f} a core-second; {} objects without any grasp; {} units ended at "
+      "the time limit.\n",
       s.objects, table.objects_at_scales, counts_table(table), grasps, seconds / 3600.0,
-      s.objects_without_grasps, s.limited);
+      static_cast<double>(grasps) / std::max(seconds, 1e-9), s.objects_without_grasps, s.limited);
   text += fmt::format("\n## Units without grasps\n{}", failures_text(table));
   text += fmt::format("\n## Epsilon\nOf the form-closed grasps, below which a share of them lies.\n\n{}",
                       epsilon_table(table));

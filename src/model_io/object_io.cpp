@@ -22,10 +22,7 @@ bool shares_field(double scale) {
 ObjectModel load_scan(const std::filesystem::path& file, double scale) {
   const PointCloud cloud = load_point_cloud(file, scale);
   try {
-    const ScanSurface surface = make_scan_surface({cloud});
-    ObjectModel object = make_object(file.stem().string(), surface.mesh);
-    object.seen = std::make_shared<const TriangleMesh>(seen_part(surface));
-    return object;
+    return make_scanned_object(file.stem().string(), make_scan_surface({cloud}));
   } catch (const Error& e) {
     fail("{}: {}", file.string(), e.what());
   }

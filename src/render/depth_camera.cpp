@@ -63,17 +63,17 @@ DepthPicture take_picture(const RayScene& rays_of, const DepthCamera& depth_came
 class PictureSurface {
  public:
   PictureSurface(const DepthPicture& picture, const DepthCamera& camera)
-      : picture_(picture), columns_(camera.columns), rows_(camera.rows) {
+      : picture_(picture), position_(camera.camera.position), columns_(camera.columns), rows_(camera.rows) {
     const double slope = std::sqrt(1.0 / (camera.least_cosine * camera.least_cosine) - 1.0);
     most_jump_ = slope * 2.0 * std::tan(0.5 * camera.camera.fov) / rows_;
   }
 
-  TriangleMesh make(const Vec3& position) {
+  TriangleMesh make() {
     vertex_of_.assign(picture_.distances.size(), -1);
     for (std::size_t i = 0; i < picture_.distances.size(); ++i) {
       if (picture_.distances[i] == 0.0) continue;
       vertex_of_[i] = static_cast<int>(mesh_.vertices.size());
-      mesh_.vertices.emplace_back(position + picture_.distances[i] * picture_.directions[i]);
+      mesh_.vertices.emplace_back(position_ + picture_.distances[i] * picture_.directions[i]);
     }
     for (int row = 0; row + 1 < rows_; ++row)
       for (int column = 0; column + 1 < columns_; ++column) {
@@ -95,6 +95,7 @@ class PictureSurface {
   int vertex(int pixel) const { return vertex_of_[static_cast<std::size_t>(pixel)]; }
 
   const DepthPicture& picture_;
+  Vec3 position_;  ///< of the camera
   int columns_, rows_;
   double most_jump_;  ///< between neighbours, over their distance
   std::vector<int> vertex_of_;
@@ -124,7 +125,7 @@ std::vector<TriangleMesh> take_surface_views(const TriangleMesh& mesh, std::span
   const RayScene rays_of(scene);
   std::vector<TriangleMesh> views;
   for (const DepthCamera& camera : cameras)
-    views.push_back(PictureSurface(take_picture(rays_of, camera), camera).make(camera.camera.position));
+    views.push_back(PictureSurface(take_picture(rays_of, camera), camera).make());
   return views;
 }
 

@@ -250,4 +250,11 @@ TriangleMesh seen_part(const ScanSurface& surface) {
   return part;
 }
 
+ObjectModel make_scanned_object(std::string name, const ScanSurface& surface) {
+  ObjectModel object = make_object(std::move(name), surface.mesh);
+  TriangleMesh seen = seen_part(surface);
+  if (!seen.triangles.empty()) object.seen = std::make_shared<const TriangleMesh>(std::move(seen));
+  return object;
+}
+
 }  // namespace eigengrasp

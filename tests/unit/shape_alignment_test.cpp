@@ -92,18 +92,22 @@ TEST(Alignment, IcpIsNeverWorseThanPcaAndBetterOnAnotherShape) {
   EXPECT_LT(align_by_icp(a, b).distance, align_by_pca(a, b).distance);
 }
 
+AlignmentOptions one_sided() {
+  AlignmentOptions options;
+  options.match_scale = false;
+  options.one_sided = true;
+  options.iterations = 40;
+  return options;
+}
+
 TEST(Alignment, OneSidedLaysAPartUponTheWhole) {
   const TriangleMesh whole = chiral_shape();
   TriangleMesh part = whole;
   part.triangles.resize(part.triangles.size() - 6);  // half of the shortest bar is not seen
   RandomStream stream{9};
   const Mat3 R = random_rotation(stream);
-  AlignmentOptions options;
-  options.match_scale = false;
-  options.one_sided = true;
-  options.iterations = 40;
   const Alignment a = align_by_icp(make_alignment_shape(part),
-                                   make_alignment_shape(moved(whole, R, 1.0, Vec3::Zero())), options);
+                                   make_alignment_shape(moved(whole, R, 1.0, Vec3::Zero())), one_sided());
   EXPECT_EQ(a.scale, 1.0);
   EXPECT_LT(a.distance, 0.02);
   EXPECT_LT(misplaced(part, a, R, 1.0, Vec3::Zero()), 0.03);
@@ -115,20 +119,15 @@ TEST(Alignment, AScanIsLaidUponTheWholeByWhatWasSeen) {
   TriangleMesh seen = whole;
   seen.triangles.resize(seen.triangles.size() - 6);
   TriangleMesh guessed = seen;
-  const int first = static_cast<int>(guessed.vertices.size());
-  for (const Vec3& corner : {Vec3(0.3, 0.3, 0.0), Vec3(0.4, 0.3, 0.0), Vec3(0.3, 0.4, 0.0)})
-    guessed.vertices.push_back(corner);
-  guessed.triangles.push_back({first, first + 1, first + 2});
+  append(guessed, box_about({0.2, 0.2, 0.5}, {0.5, 0.0, -0.35}));  // a bar that is not there
   RandomStream stream{11};
   const Mat3 R = random_rotation(stream);
-  AlignmentOptions options;
-  options.match_scale = false;
-  options.one_sided = true;
-  options.iterations = 40;
   const AlignmentShape target = make_alignment_shape(moved(whole, R, 1.0, Vec3::Zero()));
-  const Alignment a = align_by_icp(make_alignment_shape(guessed, seen), target, options);
+  const Alignment a = align_by_icp(make_alignment_shape(guessed, seen), target, one_sided());
   EXPECT_LT(a.distance, 0.02);
   EXPECT_LT(misplaced(seen, a, R, 1.0, Vec3::Zero()), 0.03);
+  const Alignment with_guess = align_by_icp(make_alignment_shape(guessed), target, one_sided());
+  EXPECT_GT(misplaced(seen, with_guess, R, 1.0, Vec3::Zero()), 0.03);
 }
 
 TEST(Alignment, TheInverseLeadsBack) {

@@ -242,10 +242,7 @@ ObjectModel scanned(const ObjectModel& object, const Vec3& to_camera) {
   depth.camera = frame_camera(bounding_box(object.mesh), -to_camera, Vec3::UnitZ());
   depth.camera.position += 0.2 * to_camera.normalized();
   depth.columns = depth.rows = 240;
-  const ScanSurface surface = make_scan_surface({take_depth_view(object.mesh, depth, 1)});
-  ObjectModel scan = make_object("scan", surface.mesh);
-  scan.seen = std::make_shared<const TriangleMesh>(seen_part(surface));
-  return scan;
+  return make_scanned_object("scan", make_scan_surface({take_depth_view(object.mesh, depth, 1)}));
 }
 
 TEST_F(Transfer, finds_a_scan_of_one_side_among_the_views) {

@@ -14,7 +14,7 @@ namespace eigengrasp {
 struct DescribeOptions {
   int neighbors = 5;               ///< of each object, >= 0
   bool views = true;               ///< of each object as well, for scans
-  bool align = true;               ///< each neighbour to its object, by both methods: most of the time
+  bool align = true;               ///< each neighbour to its object, by both methods: half of the time
   int threads = 0;                 ///< 0: all. Does not change what is stored
   const StopFlag* stop = nullptr;  ///< what is done is stored; the next call goes on
   std::function<void(double share, const std::string& what)> progress = {};  ///< by one thread at a time
@@ -38,7 +38,7 @@ struct DescribeReport {
 /// neighbour to the object (model: the neighbour, target: the object), by kPcaAlignment and kIcpAlignment,
 /// their scale included. What is there already is kept; a neighbour that no longer is among the nearest, as
 /// objects were added, stays with its distance. Cost: 30 ms of a core for a descriptor of 5,000 triangles,
-/// 0.2 s for an object's views and for its five alignments each.
+/// 0.3 s for an object's views and for its five alignments each.
 /// @throws Error where the options are not sound, or the store cannot be written
 DescribeReport describe_store(GraspStore& store, const DescribeOptions& options);
 

@@ -17,7 +17,7 @@ inline constexpr const char* kViewsFunction = "surface-views";
 
 /// Surface descriptors of what a camera sees of a mesh from the twelve corners of an icosahedron about it, so
 /// that the scan of one side finds its like. The record's ball is about the mesh's box. Views in which
-/// nothing is seen (plates from their edges) are left out. Cost: 0.2 s of a core.
+/// nothing is seen (plates from their edges) are left out. Cost: 0.3 s of a core.
 /// @throws Error as compute_shape_descriptor, or where nothing is seen in any view
 StoredDescriptor describe_views(const std::string& model, const TriangleMesh& mesh);
 

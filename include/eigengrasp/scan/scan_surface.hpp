@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "eigengrasp/geometry/object_model.hpp"
 #include "eigengrasp/geometry/point_cloud.hpp"
 #include "eigengrasp/scan/mirror_plane.hpp"
 #include "eigengrasp/scan/table_plane.hpp"
@@ -57,5 +58,8 @@ ScanSurface make_scan_surface(const std::vector<PointCloud>& views, const ScanOp
 
 /// The part of the surface that was seen: open, without the guess behind it.
 TriangleMesh seen_part(const ScanSurface& surface);
+
+/// The surface as an object that knows what of it was seen (ObjectModel::seen). @throws as make_object
+ObjectModel make_scanned_object(std::string name, const ScanSurface& surface);
 
 }  // namespace eigengrasp
