@@ -21,7 +21,7 @@ constexpr int careful_expansions = 8;
 constexpr int all_expansions = 0;
 /// How often a chain is asked for a candidate [iterations].
 constexpr std::int64_t ask_every = 100;
-/// A candidate's energy must be lower than the last one's of its chain by this.
+/// A candidate's energy, by careful expansions, must be lower than the last one's of its chain by this.
 constexpr double worth_asking = 1.0;
 /// Contact energy above which closing is hopeless: 30 mm, or less with the fingers turned away.
 constexpr double highest_candidate = 30.0;
@@ -56,10 +56,15 @@ VecX PostureWishes::apply(VecX dofs) const {
 ApproachSearch::ApproachSearch(const Task& task)
     : task_(task),
       space_(task.model.scene(), task.options),
-      jumps_(jump_schedule(task.options.restart_after)),
-      acceptance_(acceptance_schedule(task.options.restart_after)),
       random_({task.options.seed, 0}),
       batch_(task.evaluator) {
+  const std::int64_t n = task.options.restart_after;
+  for (std::int64_t i = 0; i < n; ++i) {
+    const double progress = static_cast<double>(i) / static_cast<double>(n);
+    temperatures_.push_back({NeighborJump(jump_schedule(n).temperature(progress)),
+                             acceptance_schedule(n).acceptance_temperature(progress)});
+  }
+  batch_.keep_approaches();
   begin(Pose::Identity());
 }
 
@@ -128,7 +133,7 @@ void ApproachSearch::evaluate_again() {
 }
 
 ApproachState ApproachSearch::neighbor(const Chain& chain) {
-  const NeighborJump jump(jumps_.temperature(progress(chain)));
+  const NeighborJump& jump = temperatures(chain).jump;
   ApproachState s = chain.state;
   for (int i = 0; i < space_.size(); ++i) {
     const double longest = space_.ranges()[static_cast<std::size_t>(i)].jump;
@@ -149,13 +154,19 @@ double ApproachSearch::energy_of(Chain& chain, const ApproachState& state, doubl
   return penalty + task_.energy.wrench_energy(approaches_, threshold - penalty, chain.weak, expansions);
 }
 
+/// The same of a state that was just evaluated in a lane.
+double ApproachSearch::energy_of_lane(Chain& chain, int lane, const ApproachState& state, double threshold) {
+  const double penalty = wishes_.wishes.empty() ? 0.0 : wishes_.penalty(posture(state));
+  batch_.approaches(lane, approaches_);
+  return penalty + task_.energy.wrench_energy(approaches_, threshold - penalty, chain.weak, few_expansions);
+}
+
 void ApproachSearch::step(std::vector<PreGrasp>& candidates) {
   for (int c = 0; c < n_chains; ++c) {
     const auto i = static_cast<std::size_t>(c);
     Chain& chain = chains_[i];
     proposals_[i] = neighbor(chain);
-    thresholds_[i] = chain.energy -
-                     acceptance_.acceptance_temperature(progress(chain)) * std::log(1.0 - random_.uniform());
+    thresholds_[i] = chain.energy - temperatures(chain).acceptance * std::log(1.0 - random_.uniform());
     batch_.set(c, space_.hand_state(proposals_[i]));
     batch_.set_threshold(c, std::max(thresholds_[i], chain.contact_energy + wrench_margin));
   }
@@ -166,7 +177,7 @@ void ApproachSearch::step(std::vector<PreGrasp>& candidates) {
     ++chain.iteration;
     ++iterations_;
     if (batch_.verdict(c) == StateEvaluator::Verdict::legal) {
-      const double energy = energy_of(chain, proposals_[i], thresholds_[i], few_expansions);
+      const double energy = energy_of_lane(chain, c, proposals_[i], thresholds_[i]);
       if (energy < thresholds_[i]) {
         chain.state = proposals_[i];
         chain.energy = energy;
@@ -185,7 +196,11 @@ void ApproachSearch::step(std::vector<PreGrasp>& candidates) {
 
 /// The best state since the last time, where it is worth a test. Its energy is worked out in full.
 void ApproachSearch::offer(Chain& chain, std::vector<PreGrasp>& candidates) {
-  if (chain.best_energy < std::min(highest_candidate, chain.least_asked - worth_asking)) {
+  // What few expansions leave open flatters; asked again, most are no better than the chain's last offer.
+  const double limit = std::min(highest_candidate, chain.least_asked - worth_asking);
+  const double careful =
+      chain.best_energy < limit ? energy_of(chain, chain.best, no_energy, careful_expansions) : no_energy;
+  if (careful < limit) {
     const HandModel& hand = *task_.model.scene().hand;
     PreGrasp p;
     p.X_OH = hand_pose(hand, space_.hand_state(chain.best));
@@ -193,7 +208,7 @@ void ApproachSearch::offer(Chain& chain, std::vector<PreGrasp>& candidates) {
     p.dofs = clamp_posture(hand, wishes_.apply(posture(chain.best)));
     p.energy = energy_of(chain, chain.best, no_energy, all_expansions);
     p.iteration = iterations_;
-    chain.least_asked = std::min(chain.least_asked, p.energy);
+    chain.least_asked = careful;
     if (p.energy < highest_candidate) candidates.push_back(std::move(p));
   }
   if (chain.energy < no_energy) chain.energy = energy_of(chain, chain.state, no_energy, careful_expansions);

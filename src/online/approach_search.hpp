@@ -67,25 +67,31 @@ class ApproachSearch {
     std::int64_t iteration = 0;   ///< since it began
     ApproachState best;           ///< since it was last asked for candidates
     double best_energy = 0.0;
-    double least_asked = 0.0;  ///< lowest energy that was made a candidate since it began
+    double least_asked = 0.0;  ///< lowest energy, by careful expansions, of a candidate since it began
     WeakDirections weak;
+  };
+
+  /// Of one iteration.
+  struct Temperatures {
+    NeighborJump jump;
+    double acceptance;
   };
 
   void restart(Chain& chain);
   void evaluate_again();
-  double progress(const Chain& chain) const {
-    return static_cast<double>(chain.iteration) / static_cast<double>(task_.options.restart_after);
+  const Temperatures& temperatures(const Chain& chain) const {
+    return temperatures_[static_cast<std::size_t>(chain.iteration)];
   }
   ApproachState neighbor(const Chain& chain);
   double energy_of(Chain& chain, const ApproachState& state, double threshold, int expansions);
+  double energy_of_lane(Chain& chain, int lane, const ApproachState& state, double threshold);
   void offer(Chain& chain, std::vector<PreGrasp>& candidates);
   VecX posture(const ApproachState& state) const;
 
   Task task_;
   ApproachSpace space_;
   PostureWishes wishes_;
-  AnnealingSchedule jumps_;
-  AnnealingSchedule acceptance_;
+  std::vector<Temperatures> temperatures_;  ///< (restart_after)
   RandomStream random_;
   StateEvaluator::Batch batch_;
   std::array<Chain, n_chains> chains_;

@@ -23,8 +23,8 @@ std::vector<std::string> OnlineOptions::validate(const HandModel& hand) const {
   require(look_ahead > 0.0 && look_ahead <= 10.0,
           fmt::format("look-ahead is {} m, expected more than 0, at most 10", look_ahead));
   require(step_back >= 0.0 && step_back <= 1.0, fmt::format("step back is {} m, expected 0 to 1", step_back));
-  require(restart_after >= 16,
-          fmt::format("restart after {} iterations, expected 16 or more", restart_after));
+  require(restart_after >= 16 && restart_after <= 1'000'000,
+          fmt::format("restart after {} iterations, expected 16 to 1,000,000", restart_after));
   require(queue >= 1 && queue <= 10000, fmt::format("queue is {}, expected 1 to 10000", queue));
   require(solutions >= 1 && solutions <= 1000, fmt::format("solutions is {}, expected 1 to 1000", solutions));
   require(epsilon_min >= 0.0, fmt::format("epsilon_min is {}, expected 0 or more", epsilon_min));

@@ -9,6 +9,56 @@
 
 namespace eigengrasp {
 
+namespace {
+
+/// The friction cones of the virtual contacts that count, scaled as eq. (8) does; coordinate by coordinate,
+/// for vector registers.
+struct ScaledCones {
+  enum Row { weight, friction, n_x, n_y, n_z, arm_x, arm_y, arm_z, n_rows };
+  std::size_t size = 0;
+  std::vector<double> rows[n_rows];
+  std::vector<double> reaches;
+
+  void assign(const std::vector<ContactApproach>& approaches, const std::vector<double>& frictions,
+              double alpha, const WrenchSpaceOptions& options) {
+    size = 0;
+    for (std::vector<double>& row : rows) row.resize(approaches.size());
+    reaches.resize(approaches.size());
+    for (std::size_t i = 0; i < approaches.size(); ++i) {
+      const ContactApproach& a = approaches[i];
+      const double scale = 1.0 - a.delta(alpha);
+      if (scale <= 0.0) continue;
+      const Vec3 arm = (a.p_OC - options.torque_origin_O) / options.torque_scale;
+      const double values[n_rows] = {scale,      frictions[i], a.n_OC.x(), a.n_OC.y(),
+                                     a.n_OC.z(), arm.x(),      arm.y(),    arm.z()};
+      for (std::size_t k = 0; k < n_rows; ++k) rows[k][size] = values[k];
+      ++size;
+    }
+  }
+
+  /// How far the wrench space reaches in a direction, with true friction cones: at least as far as with their
+  /// edges.
+  double reach(const Vec6& u) {
+    const auto row = [&](Row r) { return rows[r].data(); };
+    const double *w = row(weight), *mu = row(friction), *nx = row(n_x), *ny = row(n_y), *nz = row(n_z),
+                 *ax = row(arm_x), *ay = row(arm_y), *az = row(arm_z);
+    double* out = reaches.data();
+    for (std::size_t i = 0; i < size; ++i) {
+      const double gx = u[0] + (u[4] * az[i] - u[5] * ay[i]);
+      const double gy = u[1] + (u[5] * ax[i] - u[3] * az[i]);
+      const double gz = u[2] + (u[3] * ay[i] - u[4] * ax[i]);
+      const double along = gx * nx[i] + gy * ny[i] + gz * nz[i];
+      const double across2 = gx * gx + gy * gy + gz * gz - along * along;
+      out[i] = w[i] * (along + mu[i] * std::sqrt(across2 > 0.0 ? across2 : 0.0));
+    }
+    double h = -std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < size; ++i) h = std::max(h, out[i]);
+    return h;
+  }
+};
+
+}  // namespace
+
 GraspEnergy::GraspEnergy(const CollisionModel& model, const PlanOptions& options)
     : model_(model), kind_(options.energy), alpha_(options.alpha) {
   const Scene& scene = model.scene();
@@ -71,8 +121,10 @@ double GraspEnergy::wrench_energy(const std::vector<ContactApproach>& approaches
 
 double GraspEnergy::wrench_energy(const std::vector<ContactApproach>& approaches, double threshold,
                                   WeakDirections& weak, int most_expansions) const {
+  thread_local ScaledCones cones;
+  if (!weak.all().empty()) cones.assign(approaches, friction_, alpha_, wrench_space_);
   for (const Vec6& u : weak.all()) {
-    const double h = reach(approaches, u);
+    const double h = cones.reach(u);
     if (h <= 0.0) return contact_energy(approaches);
     if (-100.0 * h >= threshold) return -100.0 * h;
   }
@@ -90,23 +142,6 @@ double GraspEnergy::wrench_energy(const std::vector<ContactApproach>& approaches
   const WrenchSpaceQuality quality = estimate_epsilon(wrenches, wrench_space_.epsilon_min, rough);
   if (!quality.weakest.isZero()) weak.add(quality.weakest);
   return quality.form_closure ? -100.0 * quality.epsilon : contact_energy(approaches);
-}
-
-/// How far the wrench space of eq. (8) reaches in a direction, with true friction cones: at least as far as
-/// with their edges.
-double GraspEnergy::reach(const std::vector<ContactApproach>& approaches, const Vec6& u) const {
-  double h = -std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < approaches.size(); ++i) {
-    const ContactApproach& a = approaches[i];
-    const double weight = 1.0 - a.delta(alpha_);
-    if (weight <= 0.0) continue;
-    const Vec3 arm = (a.p_OC - wrench_space_.torque_origin_O) / wrench_space_.torque_scale;
-    const Vec3 g = u.head<3>() + u.tail<3>().cross(arm);
-    const double along = g.dot(a.n_OC);
-    const double across = std::sqrt(std::max(0.0, g.squaredNorm() - along * along));
-    h = std::max(h, weight * (along + friction_[i] * across));
-  }
-  return h;
 }
 
 double GraspEnergy::evaluate(const std::vector<Pose>& X_OL, DistanceSource source,

@@ -39,7 +39,8 @@ float* LaneRows::take(int n) {
   return taken;
 }
 
-KernelWorkspace::KernelWorkspace(const kernel::Program& p) : rows_(rows_of(p)) {
+KernelWorkspace::KernelWorkspace(const kernel::Program& p)
+    : rows_(rows_of(p)), approaches_(kernel::n_approach_rows * p.n_contacts) {
   work_.position = rows_.take(3);
   work_.quaternion = rows_.take(4);
   work_.amplitudes = rows_.take(p.n_amplitudes);
@@ -54,6 +55,10 @@ KernelWorkspace::KernelWorkspace(const kernel::Program& p) : rows_(rows_of(p)) {
   work_.row = rows_.take(1);
   std::fill_n(work_.quaternion, kernel::n_lanes, 1.0f);
   std::fill_n(work_.threshold, kernel::n_lanes, std::numeric_limits<float>::infinity());
+}
+
+void KernelWorkspace::keep_approaches() {
+  work_.approaches = approaches_.take(0);
 }
 
 KernelChains::KernelChains(int n_amplitudes) : rows_(3 + 4 + n_amplitudes + 4 + 4) {

@@ -28,9 +28,12 @@ class KernelWorkspace {
  public:
   explicit KernelWorkspace(const kernel::Program& program);
   const kernel::Workspace& work() const { return work_; }
+  /// From now on the kernel writes them.
+  void keep_approaches();
 
  private:
   LaneRows rows_;
+  LaneRows approaches_;
   kernel::Workspace work_{};
 };
 

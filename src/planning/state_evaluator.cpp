@@ -50,7 +50,8 @@ void StateEvaluator::evaluate(Batch& batch) const {
 
 StateEvaluator::Batch::Batch(const StateEvaluator& evaluator)
     : memory_(std::make_unique<KernelWorkspace>(evaluator.storage_->program.program())),
-      n_amplitudes_(evaluator.storage_->program.program().n_amplitudes) {}
+      n_amplitudes_(evaluator.storage_->program.program().n_amplitudes),
+      n_contacts_(evaluator.storage_->program.program().n_contacts) {}
 
 StateEvaluator::Batch::~Batch() = default;
 StateEvaluator::Batch::Batch(Batch&&) noexcept = default;
@@ -76,6 +77,23 @@ StateEvaluator::Verdict StateEvaluator::Batch::verdict(int lane) const {
 
 double StateEvaluator::Batch::energy(int lane) const {
   return memory_->work().energy[lane];
+}
+
+void StateEvaluator::Batch::keep_approaches() {
+  memory_->keep_approaches();
+}
+
+void StateEvaluator::Batch::approaches(int lane, std::vector<ContactApproach>& out) const {
+  out.resize(static_cast<std::size_t>(n_contacts_));
+  const float* kept = memory_->work().approaches + lane;
+  for (ContactApproach& a : out) {
+    const auto row = [&](int k) { return static_cast<double>(kept[k * kernel::n_lanes]); };
+    a.p_OC = Vec3(row(0), row(1), row(2));
+    a.n_OC = Vec3(row(3), row(4), row(5));
+    a.distance = row(6);
+    a.cosine = row(7);
+    kept += kernel::n_approach_rows * kernel::n_lanes;
+  }
 }
 
 }  // namespace eigengrasp

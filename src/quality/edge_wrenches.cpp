@@ -33,11 +33,24 @@ class EdgeFrame {
   Vec3 spin_;
 };
 
-void append_cone(const EdgeFrame& frame, int edges, std::vector<Vec6>& out) {
+struct Direction {
+  double x, y;
+};
+
+/// Of the edges of a cone; the last number of edges that was asked for is kept.
+const std::vector<Direction>& edge_directions(int edges) {
+  thread_local std::vector<Direction> directions;
+  if (directions.size() == static_cast<std::size_t>(edges)) return directions;
+  directions.clear();
   for (int k = 0; k < edges; ++k) {
     const double angle = 2.0 * std::numbers::pi * k / edges;
-    out.push_back(frame.wrench(std::cos(angle), std::sin(angle), 0.0));
+    directions.push_back({std::cos(angle), std::sin(angle)});
   }
+  return directions;
+}
+
+void append_cone(const EdgeFrame& frame, int edges, std::vector<Vec6>& out) {
+  for (const Direction& d : edge_directions(edges)) out.push_back(frame.wrench(d.x, d.y, 0.0));
 }
 
 void append_ellipsoid(const EdgeFrame& frame, double torsion_length, std::vector<Vec6>& out) {

@@ -74,13 +74,14 @@ DistanceBounds ExpandingPolytope::compute_distance(const WrenchSupport& set, con
         lower >= goal.threshold) {
       return {std::max(lower, 0.0), upper_, true, weakest_};
     }
-    if (n_created_ > kMaxFacets || n_expansions_ >= goal.most_expansions)
-      return {std::max(lower, 0.0), upper_, false, weakest_};
     Facet& facet = facets_[static_cast<std::size_t>(least.facet)];
     if (plane_error(facet) > kPlaneDrift * scale_) refine(facet);
     probe(normal(facet), w);
     // A facet that the set does not reach over is part of the set's own boundary; it stays, but is done.
-    if (compute_height(facet, w) > kOutward * scale_) expand(least.facet, w);
+    if (!(compute_height(facet, w) > kOutward * scale_)) continue;
+    if (n_created_ > kMaxFacets || n_expansions_ + 1 >= goal.most_expansions)
+      return {std::max(lower, 0.0), std::max(upper_, 0.0), false, weakest_};
+    expand(least.facet, w);
   }
 }
 
@@ -353,8 +354,9 @@ void ExpandingPolytope::link_around(const HorizonRidge& ridge) {
       const std::int32_t pivot = fan->vertex[static_cast<std::size_t>(gained)];
       fan = &facets_[static_cast<std::size_t>(facet_of(next))];
       gained = slot_of(next);
-      const auto dropped = std::find(fan->vertex.begin(), fan->vertex.end() - 1, pivot) - fan->vertex.begin();
-      next = fan->across[static_cast<std::size_t>(dropped)];
+      std::size_t dropped = 0;  // without branches
+      for (std::size_t k = 1; k < kDim; ++k) dropped = fan->vertex[k] == pivot ? k : dropped;
+      next = fan->across[dropped];
     }
     made.across[static_cast<std::size_t>(j)] = link(~next, gained);
     facets_[static_cast<std::size_t>(~next)].across[static_cast<std::size_t>(gained)] = link(ridge.made, j);

@@ -17,8 +17,9 @@ struct ExpansionGoal {
   double tolerance = 0.0;  ///< stop where upper - lower <= tolerance * max(1, upper)
   /// Stop where upper < threshold or lower >= threshold; NaN: never for that reason.
   double threshold = std::numeric_limits<double>::quiet_NaN();
-  double enough_below = 0.0;                                              ///< stop where upper < enough_below
-  std::size_t most_expansions = std::numeric_limits<std::size_t>::max();  ///< stop after so many
+  double enough_below = 0.0;  ///< stop where upper < enough_below
+  /// Stop where a facet is looked beyond for the so many-th time; the last one is not expanded any more.
+  std::size_t most_expansions = std::numeric_limits<std::size_t>::max();
 };
 
 /// lower <= distance from the origin to the boundary of the set <= upper; both 0 where the origin is not

@@ -151,6 +151,38 @@ TEST(StateEvaluator, PosesAndEnergyVsDoublePrecision) {
   }
 }
 
+TEST(StateEvaluator, KeptApproachesAreThoseOfThePosedHandAndMakeTheEnergy) {
+  const CollisionModel model = fast_model(testing::shipped_scene("human", "shoe"));
+  const SearchSpace space(model.scene(), 2);
+  const StateEvaluator evaluator(model, space.postures, alpha);
+  const GraspEnergy energy(model, {});
+  const auto states = mixed_states(space, evaluator, 320, 20);
+  StateEvaluator::Batch batch(evaluator);
+  batch.keep_approaches();
+  std::vector<ContactApproach> kept, posed;
+  int legal = 0;
+  for (std::size_t first = 0; first + StateEvaluator::lanes <= states.size();
+       first += StateEvaluator::lanes) {
+    for (int k = 0; k < StateEvaluator::lanes; ++k) batch.set(k, states[first + static_cast<std::size_t>(k)]);
+    evaluator.evaluate(batch);
+    for (int k = 0; k < StateEvaluator::lanes; ++k) {
+      if (batch.verdict(k) != Verdict::legal) continue;
+      ++legal;
+      batch.approaches(k, kept);
+      EXPECT_NEAR(energy.contact_energy(kept), batch.energy(k), 1e-4 * (1.0 + batch.energy(k)));
+      const auto X_OL =
+          testing::link_poses(*model.scene().hand, space, states[first + static_cast<std::size_t>(k)]);
+      energy.approach(X_OL, DistanceSource::gradients, posed);
+      ASSERT_EQ(kept.size(), posed.size());
+      for (std::size_t i = 0; i < kept.size(); ++i) {
+        EXPECT_LT((kept[i].p_OC - posed[i].p_OC).norm(), 1e-6);
+        EXPECT_LT((kept[i].n_OC - posed[i].n_OC).norm(), 1e-5);
+      }
+    }
+  }
+  EXPECT_GT(legal, 100);
+}
+
 /// Verdict of one posed hand, all degrees of freedom amplitudes.
 class Judge {
  public:

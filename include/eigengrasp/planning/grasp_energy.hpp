@@ -87,8 +87,6 @@ class GraspEnergy {
   const WrenchSpaceOptions& wrench_space() const { return wrench_space_; }
 
  private:
-  double reach(const std::vector<ContactApproach>& approaches, const Vec6& u) const;
-
   const CollisionModel& model_;
   EnergyKind kind_;
   double alpha_;

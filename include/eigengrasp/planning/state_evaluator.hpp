@@ -10,6 +10,7 @@
 
 #include "eigengrasp/core/instruction_set.hpp"
 #include "eigengrasp/grasp/collision_model.hpp"
+#include "eigengrasp/planning/grasp_energy.hpp"
 
 namespace eigengrasp {
 
@@ -62,11 +63,18 @@ class StateEvaluator {
     /// @pre verdict is legal or energy_too_high
     double energy(int lane) const;
 
+    /// From now on evaluate() keeps the approaches of the virtual contacts.
+    void keep_approaches();
+    /// Approaches of all virtual contacts, in their order: GraspEnergy::approach by gradients, in single
+    /// precision. @pre they are kept; verdict is not energy_too_high
+    void approaches(int lane, std::vector<ContactApproach>& out) const;
+
    private:
     friend class StateEvaluator;
     friend class Annealer;
     std::unique_ptr<KernelWorkspace> memory_;
     int n_amplitudes_;
+    int n_contacts_;
   };
 
   /// @param alpha length [m] of eq. (6). @pre the model was prepared with Options::fast

@@ -142,7 +142,7 @@ class Evaluation {
     F distances(0.0f);
     F misfits(0.0f);
     for (int i = 0; i < p_.n_contacts; ++i) {
-      add_contact(p_.contacts[i], distances, misfits);
+      add_contact(i, distances, misfits);
       if ((i + 1) % contacts_between_looks != 0 && i + 1 < p_.n_contacts) continue;
       energy = each * (distances + F(p_.alpha) * misfits);
       if ((bits(energy < threshold) & alive_) == 0) break;
@@ -151,17 +151,25 @@ class Evaluation {
     end(bits(threshold <= energy) & alive_, energy_too_high);
   }
 
-  EIGENGRASP_LANES_INLINE void add_contact(const Contact& contact, F& distances, F& misfits) const {
+  EIGENGRASP_LANES_INLINE void add_contact(int i, F& distances, F& misfits) const {
+    const Contact& contact = p_.contacts[i];
     const Motion<B> X = load_motion<B>(pose(contact.body));
-    const PointSlope<B> at = look_up_slope<B>(p_.object.field, moved(X, splat<B>(contact.p)));
+    const V point = moved(X, splat<B>(contact.p));
+    const PointSlope<B> at = look_up_slope<B>(p_.object.field, point);
     const V& g = at.gradient;
     const F slope = sqrt(max(dot(g, g), F(1.0f)));
     // -o: from the nearest point of the surface to the contact, for one beyond the grid by way of its border.
     const V away = at.beyond + (at.distance / slope) * g;
     const F length = sqrt(dot(away, away));
-    const F minus_cosine = dot(turned(X, splat<B>(contact.n)), away) / max(length, F(1e-9f));
+    const V normal = turned(X, splat<B>(contact.n));
+    const F minus_cosine = dot(normal, away) / max(length, F(1e-9f));
     distances = distances + length;
     misfits = misfits + (F(1.0f) + minus_cosine);
+    if (w_.approaches == nullptr) return;
+    const F rows[n_approach_rows] = {point.x,  point.y,  point.z, normal.x,
+                                     normal.y, normal.z, length,  F(0.0f) - minus_cosine};
+    float* const kept = w_.approaches + i * n_approach_rows * n_lanes;
+    for (int k = 0; k < n_approach_rows; ++k) store<B>(kept + k * n_lanes, rows[k]);
   }
 
   Transform pose_of_lane(int body, int lane) const {

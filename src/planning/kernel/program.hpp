@@ -144,6 +144,10 @@ enum Verdict : std::int32_t {
   energy_too_high = 4
 };
 
+/// What is kept of each virtual contact: where it is in O, its normal there, distance, cosine; see
+/// ContactApproach. Complete where the verdict is not energy_too_high.
+inline constexpr int n_approach_rows = 8;
+
 /// Sixteen states, and the memory to work on them.
 struct Workspace {
   float* position;        ///< (3 x 16) of the approach point in O
@@ -152,6 +156,7 @@ struct Workspace {
   float* threshold;       ///< (16) states of a higher energy need not be told legal or not
   float* energy;          ///< (16) out; for verdict legal; a lower bound for energy_too_high
   std::int32_t* verdict;  ///< (16) out
+  float* approaches;      ///< (n_contacts x n_approach_rows x 16) out; null: not wanted
   float* dofs;            ///< (n_dofs x 16) scratch
   float* poses;           ///< (n_bodies x 12 x 16) scratch
   float* centers;         ///< (n_parts x 3 x 16) scratch
