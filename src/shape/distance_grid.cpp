@@ -3,6 +3,8 @@
 #include "shape/distance_grid.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 
 #include "eigengrasp/geometry/triangle_queries.hpp"
 
@@ -11,7 +13,8 @@ namespace eigengrasp {
 DistanceGrid::DistanceGrid(int side, double reach)
     : side_(side),
       reach_(reach),
-      cells_(static_cast<std::size_t>(side) * static_cast<std::size_t>(side * side)) {}
+      cells_(static_cast<std::size_t>(framed_side()) * static_cast<std::size_t>(framed_side()) *
+             static_cast<std::size_t>(framed_side())) {}
 
 void DistanceGrid::offer(Cell& cell, const Vec3& center, int piece) const {
   if (cell.piece == piece) return;
@@ -62,21 +65,23 @@ int DistanceGrid::steps(double length) const {
 /// One pass over the grid: every cell tries the 13 neighbours that come before it. A neighbour's piece is
 /// looked at only where its foot would be nearer already.
 void DistanceGrid::spread(int direction) {
-  const int count = side_ * side_ * side_;
-  for (int k = 0; k < count; ++k) {
-    const int at = direction > 0 ? k : count - 1 - k;
-    const int x = at % side_, y = at / side_ % side_, z = at / (side_ * side_);
-    const Vec3 p = center(x, y, z);
-    Cell& cell = cells_[static_cast<std::size_t>(at)];
-    for (int n = 0; n < 13; ++n) {  // of 27 offsets in order, those before the middle
-      const int u = x + direction * (n % 3 - 1), v = y + direction * (n / 3 % 3 - 1);
-      const int w = z + direction * (n / 9 - 1);
-      if (u < 0 || v < 0 || w < 0 || u >= side_ || v >= side_ || w >= side_) continue;
-      const Cell& other = cells_[place(u, v, w)];
-      if (other.squared > reach_ * reach_ || other.piece == cell.piece) continue;
-      if ((other.foot - p).squaredNorm() < cell.squared) offer(cell, p, other.piece);
-    }
-  }
+  std::array<std::ptrdiff_t, 13> earlier;  // of 27 neighbours in order, those before the middle
+  for (int n = 0; n < 13; ++n)
+    earlier[static_cast<std::size_t>(n)] =
+        direction * (((n / 9 - 1) * framed_side() + n / 3 % 3 - 1) * framed_side() + n % 3 - 1);
+  const double reach2 = reach_ * reach_;
+  const auto at = [&](int k) { return direction > 0 ? k : side_ - 1 - k; };
+  for (int k = 0; k < side_; ++k)
+    for (int j = 0; j < side_; ++j)
+      for (int i = 0; i < side_; ++i) {
+        const Vec3 p = center(at(i), at(j), at(k));
+        Cell* const cell = &cells_[place(at(i), at(j), at(k))];
+        for (const std::ptrdiff_t offset : earlier) {
+          const Cell& other = cell[offset];
+          if (other.squared > reach2 || other.piece == cell->piece) continue;
+          if ((other.foot - p).squaredNorm() < cell->squared) offer(*cell, p, other.piece);
+        }
+      }
 }
 
 void DistanceGrid::add_surface(const TriangleMesh& mesh, const ShapeBall& ball) {

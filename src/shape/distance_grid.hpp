@@ -23,7 +23,7 @@ class DistanceGrid {
   Vec3 center(int x, int y, int z) const { return Vec3(x + 0.5, y + 0.5, z + 0.5) * cell() - Vec3::Ones(); }
 
   /// Adds a surface, put into the unit ball; parts outside the cube do not count. Cost: about 1 us a small
-  /// triangle, and 10 ms for a side of 40.
+  /// triangle, and 6 ms for a side of 40.
   void add_surface(const TriangleMesh& mesh, const ShapeBall& ball);
 
   /// From the cell's centre to the surface, over the ball's radius; infinite where there is no surface.
@@ -39,8 +39,10 @@ class DistanceGrid {
     int piece = -1;            ///< that it lies on
   };
 
+  /// Cells stand in a frame of cells that stay without a surface, so that all have neighbours.
+  int framed_side() const { return side_ + 2; }
   std::size_t place(int x, int y, int z) const {
-    return static_cast<std::size_t>((z * side_ + y) * side_ + x);
+    return static_cast<std::size_t>(((z + 1) * framed_side() + y + 1) * framed_side() + x + 1);
   }
   void add_piece(const Piece& piece);
   void offer_about(const Vec3& p, int piece);

@@ -53,7 +53,7 @@ struct DescriptorOptions {
 /// ball is about the volume's centre, with the farthest vertex at 0.9 radii. By moments where the mesh is a
 /// sound solid (MeshReport::solid), else on the grid, inside being where the generalised winding number is
 /// above one half. Changes under rotation: below 0.3 % of the descriptor's length on the grid, 1e-6 by
-/// moments. Cost, 5,000 triangles, one core: surface 30 ms; solid 10 to 20 ms by moments, 0.1 s
+/// moments. Cost, 5,000 triangles, one core: surface 20 ms; solid 10 to 20 ms by moments, 0.1 s
 /// on the grid, and seconds where triangles are long and thin.
 /// @throws Error for a mesh without triangles or area, numbers that are not finite, a surface in a plane
 /// (unless allowed), or a solid that encloses nothing
