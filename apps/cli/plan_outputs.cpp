@@ -4,6 +4,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <span>
+
 #include "eigengrasp/core/files.hpp"
 #include "eigengrasp/render/image.hpp"
 #include "eigengrasp/render/pictures.hpp"
@@ -11,6 +14,12 @@
 #include "eigengrasp/report/grasp_tables.hpp"
 
 namespace eigengrasp::cli {
+
+namespace {
+
+constexpr std::size_t most_drawn = 40;  // a tile takes half a second, a reader looks at no more
+
+}  // namespace
 
 void PlanOutputs::require_folder(const std::string& name) {
   if (folder.empty()) folder = std::filesystem::path("out") / name;
@@ -21,7 +30,7 @@ void add_output_options(CLI::App& command, PlanOutputs& outputs, const std::stri
   command.add_option("--out", outputs.folder,
                      fmt::format("Folder for grasps.json, .csv, .png, .glb (default: {})", folder));
   command.add_option("--rows", outputs.rows, "Lines of the table (0: all)");
-  command.add_flag("!--no-pictures", outputs.pictures, "No grasps.png and grasps.glb");
+  command.add_flag("!--no-pictures", outputs.pictures, "No grasps.png (the best 40) and grasps.glb");
 }
 
 void print_grasps(const Scene& scene, const PlanResult& result, const PlanOutputs& outputs) {
@@ -32,17 +41,19 @@ void print_grasps(const Scene& scene, const PlanResult& result, const PlanOutput
 }
 
 void write_plan_files(const Scene& scene, const GraspFile& file, const PlanOutputs& outputs) {
-  const auto& grasps = file.result.grasps;
+  const std::vector<Grasp>& grasps = file.result.grasps;
   save_grasps(file, outputs.folder / "grasps.json");
   save_grasps_csv(grasps, outputs.folder / "grasps.csv");
   if (grasps.empty() || !outputs.pictures) return;
   PictureOptions picture;
   picture.threads = file.options.threads;
+  const std::span<const Grasp> drawn(grasps.data(), std::min(grasps.size(), most_drawn));
   picture.heading =
-      fmt::format("{}  -  {}: {} of {} pre-grasps form-closed",
+      fmt::format("{}  -  {}: {} of {} pre-grasps form-closed{}",
                   scene.hand->title.empty() ? scene.hand->name : scene.hand->title, scene.object->name,
-                  file.result.candidates.form_closed, file.result.candidates.tested);
-  save_png(grasps_picture(scene, grasps, picture), outputs.folder / "grasps.png");
+                  file.result.candidates.form_closed, file.result.candidates.tested,
+                  drawn.size() < grasps.size() ? fmt::format(", the best {}", drawn.size()) : "");
+  save_png(grasps_picture(scene, drawn, picture), outputs.folder / "grasps.png");
   save_grasp_glb(scene, grasps.front(), outputs.folder / "grasps.glb");
 }
 

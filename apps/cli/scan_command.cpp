@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
+#include <iterator>
 #include <memory>
 
 #include "cli/commands.hpp"
 #include "eigengrasp/core/error.hpp"
 #include "eigengrasp/geometry/mesh_io.hpp"
 #include "eigengrasp/geometry/point_cloud.hpp"
+#include "eigengrasp/geometry/registered_scans.hpp"
 #include "eigengrasp/modeling/mesh_tools.hpp"
 #include "eigengrasp/scan/scan_surface.hpp"
 
@@ -32,22 +35,43 @@ Vec3 numbers_of(const std::string& option, const std::string& text) {
   return p;
 }
 
-std::vector<PointCloud> load_views(const ScanChoice& choice) {
-  if (!choice.cameras.empty() && choice.cameras.size() != 1 && choice.cameras.size() != choice.files.size())
-    fail("there are {} cameras for {} views, expected one for all or one for each", choice.cameras.size(),
-         choice.files.size());
+/// Views with their names.
+RegisteredScans load_scans(const ScanChoice& choice) {
   const double unit = unit_length(choice.units);
-  std::vector<PointCloud> views;
-  for (std::size_t i = 0; i < choice.files.size(); ++i) {
-    views.push_back(load_point_cloud(choice.files[i], unit));
-    if (!choice.cameras.empty())
-      views.back().viewpoint =
-          unit * numbers_of("--camera", choice.cameras[choice.cameras.size() == 1 ? 0 : i]);
-    if (views.back().dropped > 0)
-      fmt::print(stderr, "eigengrasp: {}: {} points are not finite and were left out\n", choice.files[i],
-                 views.back().dropped);
+  RegisteredScans all;
+  for (const std::string& file : choice.files) {
+    if (!is_registered_scans_file(file)) {
+      all.views.push_back(load_point_cloud(file, unit));
+      all.names.push_back(file);
+      continue;
+    }
+    RegisteredScans scans = load_registered_scans(file, unit);
+    if (!scans.missing.empty())
+      fmt::print(stderr, "eigengrasp: {}: {} of its {} scans are not there and were left out: {}\n", file,
+                 scans.missing.size(), scans.missing.size() + scans.views.size(),
+                 fmt::join(scans.missing, ", "));
+    std::move(scans.views.begin(), scans.views.end(), std::back_inserter(all.views));
+    all.names.insert(all.names.end(), scans.names.begin(), scans.names.end());
   }
-  return views;
+  return all;
+}
+
+std::vector<PointCloud> load_seen(const ScanChoice& choice) {
+  RegisteredScans scans = load_scans(choice);
+  const auto& cameras = choice.cameras;
+  if (!cameras.empty() && cameras.size() != 1 && cameras.size() != scans.views.size())
+    fail("there are {} cameras for {} views, expected one for all or one for each", cameras.size(),
+         scans.views.size());
+  for (std::size_t i = 0; i < scans.views.size(); ++i) {
+    PointCloud& view = scans.views[i];
+    if (!cameras.empty())
+      view.viewpoint =
+          unit_length(choice.units) * numbers_of("--camera", cameras[cameras.size() == 1 ? 0 : i]);
+    if (view.dropped > 0)
+      fmt::print(stderr, "eigengrasp: {}: {} points are not finite and were left out\n", scans.names[i],
+                 view.dropped);
+  }
+  return std::move(scans.views);
 }
 
 void print_scan(const ScanSurface& s) {
@@ -79,7 +103,7 @@ void run_scan(ScanChoice& choice) {
   if (choice.options.up && choice.options.up->isZero())
     fail("--up is 0,0,0, expected a direction such as 0,0,1");
   choice.options.cell = 1e-3 * choice.cell_mm;
-  const ScanSurface surface = make_scan_surface(load_views(choice), choice.options);
+  const ScanSurface surface = make_scan_surface(load_seen(choice), choice.options);
   print_scan(surface);
   modeling::save_obj(surface.mesh, choice.out, 6, fmt::format("unseen space: {}", to_string(surface.unseen)));
   fmt::print("written    {}\n", choice.out);
@@ -90,8 +114,10 @@ void run_scan(ScanChoice& choice) {
 void add_scan_command(CLI::App& app) {
   auto choice = std::make_shared<ScanChoice>();
   CLI::App* scan = app.add_subcommand("scan", "Make a closed surface of clouds of points, to grasp it");
-  scan->add_option("views", choice->files,
-                   "Clouds of one object in one frame, a file for each view: PLY, PCD, OBJ")
+  scan->add_option(
+          "views", choice->files,
+          "Clouds of one object in one frame, a file for each view: PLY, PCD, OBJ; or a list of range "
+          "scans with their poses: .conf (Stanford)")
       ->required();
   scan->add_option("-o,--out", choice->out, "OBJ file to write, in the frame of the clouds, in metres")
       ->required();
@@ -113,9 +139,11 @@ void add_scan_command(CLI::App& app) {
       ->check(CLI::Range(100, 1000000));
   scan->add_option("--threads", choice->options.threads, "Default: all");
   scan->footer(
-      "plan, transfer and serve take a cloud of one view as an object directly, with the defaults of this "
-      "command.\nExamples:\n  eigengrasp scan mug.ply -o mug.obj --camera 0,0,0\n"
+      "plan, transfer and serve take a cloud of one view, or a .conf, as an object directly, with the "
+      "defaults "
+      "of this command.\nExamples:\n  eigengrasp scan mug.ply -o mug.obj --camera 0,0,0\n"
       "  eigengrasp scan left.pcd right.pcd -o part.obj --units mm --remove-table\n"
+      "  eigengrasp scan bunny/bun.conf -o bunny.obj\n"
       "Exit code: 0, 2 bad input.");
   scan->callback([choice] { run_scan(*choice); });
 }

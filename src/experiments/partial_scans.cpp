@@ -13,6 +13,7 @@
 #include "eigengrasp/core/error.hpp"
 #include "eigengrasp/core/random.hpp"
 #include "eigengrasp/geometry/mesh_io.hpp"
+#include "eigengrasp/geometry/registered_scans.hpp"
 #include "eigengrasp/planning/pregrasp_rating.hpp"
 #include "eigengrasp/render/depth_camera.hpp"
 #include "eigengrasp/render/pictures.hpp"
@@ -27,16 +28,19 @@ namespace {
 /// A view that is still to be taken or read.
 struct ViewTask {
   fs::path file;
-  int view = 0;  ///< of a simulated camera
+  int view = 0;  ///< of a simulated camera, or in a list of registered scans; kAllViews: all of the list
   bool simulated = false;
-  bool shown = false;  ///< in pictures
+  bool shown = false;      ///< in pictures
+  fs::path complete = {};  ///< of a real scan: the complete object in the same frame; may be empty
 };
+constexpr int kAllViews = -1;
 
 std::vector<fs::path> sorted_files(const fs::path& folder, bool recursive) {
   std::vector<fs::path> files;
   std::error_code ec;
   const auto take = [&](const fs::directory_entry& entry) {
-    if (entry.is_regular_file() && (is_mesh_file(entry.path()) || entry.path().extension() == ".pcd"))
+    if (entry.is_regular_file() && (is_mesh_file(entry.path()) || entry.path().extension() == ".pcd" ||
+                                    is_registered_scans_file(entry.path())))
       files.push_back(entry.path());
   };
   if (recursive) {
@@ -49,6 +53,30 @@ std::vector<fs::path> sorted_files(const fs::path& folder, bool recursive) {
   return files;
 }
 
+/// Of one folder: a cloud is a view, a list of registered scans stands for the clouds beside it, and a mesh
+/// with faces is the complete object.
+std::vector<ViewTask> list_scans(const std::vector<fs::path>& files) {
+  std::vector<ViewTask> tasks;
+  const auto list = std::find_if(files.begin(), files.end(), is_registered_scans_file);
+  const auto complete = std::find_if(files.begin(), files.end(), [](const fs::path& file) {
+    return is_mesh_file(file) && !is_point_cloud_file(file);
+  });
+  if (list != files.end()) {
+    const int n = static_cast<int>(load_registered_scans(*list).views.size());
+    for (int view = 0; view < n; ++view) tasks.push_back({*list, view});
+    tasks.push_back({*list, kAllViews});
+  } else {
+    for (const fs::path& file : files)
+      if (is_point_cloud_file(file)) tasks.push_back({file});
+  }
+  if (tasks.empty()) return tasks;
+  for (ViewTask& task : tasks)
+    if (complete != files.end()) task.complete = *complete;
+  tasks.front().shown = true;
+  tasks.back().shown = tasks.back().view == kAllViews || tasks.size() == 1;
+  return tasks;
+}
+
 std::vector<ViewTask> list_views(const PartialScansOptions& options) {
   std::vector<ViewTask> tasks;
   // Pictures show one view of every real object, and of every fourth complete one.
@@ -57,13 +85,17 @@ std::vector<ViewTask> list_views(const PartialScansOptions& options) {
     for (const fs::path& file : sorted_files(options.complete, false)) {
       const bool shown = objects++ % 4 == 2;
       for (int view = 0; view < options.views; ++view)
-        tasks.push_back({file, view, true, shown && view == 0});
+        tasks.push_back({file, view, true, shown && view == 0, {}});
     }
-  if (!options.scans.empty())
-    for (const fs::path& file : sorted_files(options.scans, true)) {
-      const bool same = !tasks.empty() && tasks.back().file.parent_path() == file.parent_path();
-      tasks.push_back({file, 0, false, !same});
+  if (!options.scans.empty()) {
+    std::map<fs::path, std::vector<fs::path>> folders;
+    for (const fs::path& file : sorted_files(options.scans, true))
+      folders[file.parent_path()].push_back(file);
+    for (const auto& [folder, files] : folders) {
+      const std::vector<ViewTask> scans = list_scans(files);
+      tasks.insert(tasks.end(), scans.begin(), scans.end());
     }
+  }
   if (tasks.empty()) fail("there is nothing to scan: name a folder of complete objects, of scans, or both");
   return tasks;
 }
@@ -217,37 +249,57 @@ void PartialTrials::draw(const ScanTrial& trial, const Scene& scene, const std::
        grasps_picture(scene, best, picture)});
 }
 
+/// The views of a real scan, and what their file calls them.
+struct RealViews {
+  std::vector<PointCloud> clouds;
+  std::string name;
+};
+
+RealViews load_real_views(const ViewTask& task) {
+  if (!is_registered_scans_file(task.file)) return {{load_point_cloud(task.file)}, task.file.stem().string()};
+  RegisteredScans scans = load_registered_scans(task.file);
+  if (task.view == kAllViews) return {std::move(scans.views), "all"};
+  const auto k = static_cast<std::size_t>(task.view);
+  return {{std::move(scans.views[k])}, scans.names[k]};
+}
+
 ScanTrial PartialTrials::run(const ViewTask& task, std::vector<ResultPicture>& pictures) const {
   ScanTrial trial;
   trial.simulated = task.simulated;
   trial.object = task.simulated ? task.file.stem().string() : task.file.parent_path().filename().string();
-  trial.view = task.simulated ? fmt::format("{}", task.view + 1) : task.file.stem().string();
+  trial.view = fmt::format("{}", task.view + 1);
   Complete complete;
-  PointCloud cloud;
+  const fs::path& whole = task.simulated ? task.file : task.complete;
+  if (!whole.empty()) {
+    complete.object =
+        std::make_shared<const ObjectModel>(make_object(whole.stem().string(), load_mesh(whole)));
+    trial.complete = complete.object->name;
+  }
+  std::vector<PointCloud> clouds;
   if (task.simulated) {
-    complete.object = std::make_shared<const ObjectModel>(make_object(trial.object, load_mesh(task.file)));
-    trial.complete = trial.object;
-    cloud = simulated_view(complete.object->mesh, task.view, options_);
+    clouds.push_back(simulated_view(complete.object->mesh, task.view, options_));
   } else {
-    cloud = load_point_cloud(task.file);
+    RealViews views = load_real_views(task);
+    clouds = std::move(views.clouds);
+    trial.view = views.name;
   }
   ObjectPtr seen;
   try {
     const CoreWatch watch;
     ScanOptions scan;
     scan.threads = 1;
-    scan.up = Vec3::UnitZ();
-    const ScanSurface surface = make_scan_surface({cloud}, scan);
+    if (!is_registered_scans_file(task.file)) scan.up = Vec3::UnitZ();
+    const ScanSurface surface = make_scan_surface(clouds, scan);
     trial.seconds = watch.seconds();
     trial.mirrored = surface.mirror.has_value();
     trial.seen_share = surface.seen_share;
     seen = std::make_shared<const ObjectModel>(make_scanned_object(trial.object, surface));
-    if (!task.simulated) complete = lay_upon_complete(surface, trial);
+    if (!complete.object) complete = lay_upon_complete(surface, trial);
   } catch (const Error& e) {
     trial.failure = e.what();
     return trial;
   }
-  if (task.simulated) trial.agreement = agreement(seen->bvh, complete.object->bvh);
+  if (!whole.empty()) trial.agreement = agreement(seen->bvh, complete.object->bvh);
   for (const HandPtr& hand : options_.hands) {
     const Scene scene = scene_of(hand, seen);
     for (const ScanPlanner planner : kScanPlanners) {

@@ -72,16 +72,16 @@ std::string cell_of(const ScanTrial& trial, const std::string& hand, ScanPlanner
   return "-";
 }
 
-/// Agreement of a simulated view with the complete object, or how far a real one lies from it.
+/// Agreement with the complete object where that is in the same frame, else how far the scan lies from it.
 std::string likeness(const ScanTrial& trial) {
-  if (trial.simulated) return fmt::format("{:.2f}", trial.agreement);
+  if (trial.agreement >= 0.0) return fmt::format("{:.2f}", trial.agreement);
   if (trial.misfit == 0.0) return "-";
   return fmt::format("{:.1f} mm{}", 1e3 * trial.misfit, trial.complete.empty() ? ", not tried" : "");
 }
 
 std::string trials_table(const PartialScans& result, const PartialScansOptions& options, bool simulated) {
-  std::string text =
-      fmt::format("| object | view | seen | mirrored | {} |", simulated ? "agreement" : "misfit");
+  std::string text = fmt::format("| object | view | seen | mirrored | {} |",
+                                 simulated ? "agreement" : "misfit, or agreement");
   std::string line = "|---|---|---|---|---|";
   for (const auto& hand : options.hands)
     for (const ScanPlanner planner : kScanPlanners) {
@@ -158,7 +158,10 @@ std::string partial_scans_markdown(const PartialScans& result, const PartialScan
             "## Real scans\n\nSegmented clouds of a depth camera; where it stood is estimated. The paper "
             "found 88 (human hand) and 112 (Barrett hand)\ngrasps of one object (Fig. 13). Where there is "
             "a complete model of the object, what was seen is laid upon it (one-sided\nICP; misfit: root "
-            "mean square distance), and if it lies within {:.0f} mm, the {} best grasps are tried on it.\n\n",
+            "mean square distance), and if it lies within {:.0f} mm, the {} best grasps are tried on it.\n"
+            "Range scans that come with their poses are views of one frame, the complete object's, and "
+            "\"all\" is "
+            "all of them together: what no\nview shows then counts as the object.\n\n",
             1e3 * kMostMisfit, options.best) +
         totals_table(result, options, false) + "\n" + trials_table(result, options, false) + "\n" +
         pictures_of(result, false);

@@ -5,6 +5,7 @@
 #include "eigengrasp/core/error.hpp"
 #include "eigengrasp/geometry/mesh_io.hpp"
 #include "eigengrasp/geometry/point_cloud.hpp"
+#include "eigengrasp/geometry/registered_scans.hpp"
 #include "eigengrasp/model_io/graspit_io.hpp"
 #include "eigengrasp/scan/scan_surface.hpp"
 #include "model_io/text_values.hpp"
@@ -18,11 +19,11 @@ bool shares_field(double scale) {
   return scale >= 0.5 && scale <= 2.0;
 }
 
-/// One view, with the defaults of make_scan_surface.
+/// One view or several, with the defaults of make_scan_surface.
 ObjectModel load_scan(const std::filesystem::path& file, double scale) {
-  const PointCloud cloud = load_point_cloud(file, scale);
+  const std::vector<PointCloud> views = load_views(file, scale);
   try {
-    return make_scanned_object(file.stem().string(), make_scan_surface({cloud}));
+    return make_scanned_object(file.stem().string(), make_scan_surface(views));
   } catch (const Error& e) {
     fail("{}: {}", file.string(), e.what());
   }
@@ -36,13 +37,13 @@ ObjectModel load_by_kind(const std::filesystem::path& file, const ObjectReadOpti
   const double scale = unit_length(units) * (shares_field(options.scale) ? 1.0 : options.scale);
   if (graspit) return load_graspit_body(file, scale);
   if (inventor) return make_object(file.stem().string(), load_inventor(file, scale));
-  if (is_point_cloud_file(file)) return load_scan(file, scale);
+  if (is_point_cloud_file(file) || is_registered_scans_file(file)) return load_scan(file, scale);
   if (is_mesh_file(file))
     return make_object(file.stem().string(),
                        load_mesh(file, {.scale = scale, .later_scale = options.later_scale}));
   fail(
       "{}: ends in \"{}\", expected a mesh (such as .obj, .stl, .ply, .off, .glb), .iv, .wrl, a GraspIt! "
-      ".xml or a cloud of points (.ply, .pcd)",
+      ".xml, a cloud of points (.ply, .pcd) or a list of range scans (.conf)",
       file.string(), ending);
 }
 

@@ -3,13 +3,16 @@
 // Meshes of real things, whose sizes are known from the things themselves.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <string>
 
 #include "eigengrasp/geometry/mass_properties.hpp"
+#include "eigengrasp/geometry/mesh_bvh.hpp"
 #include "eigengrasp/geometry/mesh_io.hpp"
 #include "eigengrasp/geometry/object_checks.hpp"
+#include "eigengrasp/geometry/registered_scans.hpp"
 #include "support/test_data.hpp"
 
 namespace eigengrasp::testing {
@@ -59,6 +62,23 @@ TEST(ScannedMesh, BunnyIsOpenAndRangeImagesAreClouds) {
   EXPECT_FALSE(report.watertight);  // the scan has holes in its base
   EXPECT_GT(report.boundary_edges, 0);
   EXPECT_NEAR(report.box.size().maxCoeff(), 0.155, 0.01);
+}
+
+// The complete bunny was made of these scans and others, in one frame.
+TEST(ScannedMesh, RegisteredRangeScansLieOnTheCompleteModel) {
+  const fs::path list = test_data("scans/bunny/bun.conf");
+  EIGENGRASP_REQUIRE_DATA(list);
+  const MeshBvh complete(load_mesh(list.parent_path() / "bun_zipper_res2.ply"));
+  const RegisteredScans scans = load_registered_scans(list);
+  ASSERT_EQ(scans.views.size(), 4U);
+  EXPECT_EQ(scans.missing.size(), 6U);
+  for (std::size_t k = 0; k < scans.views.size(); ++k) {
+    double squares = 0.0;
+    int n = 0;
+    for (std::size_t i = 0; i < scans.views[k].points.size(); i += 97, ++n)
+      squares += std::pow(complete.closest_point(scans.views[k].points[i]).distance, 2);
+    EXPECT_LT(std::sqrt(squares / n), 0.0003) << scans.names[k];
+  }
 }
 
 }  // namespace

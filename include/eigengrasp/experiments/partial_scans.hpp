@@ -24,8 +24,10 @@ inline constexpr std::array<ScanPlanner, 2> kScanPlanners = {ScanPlanner::transf
 
 struct PartialScansOptions {
   std::filesystem::path complete;  ///< folder of complete objects, for simulated depth cameras; may be empty
-  std::filesystem::path scans;     ///< folder of real ones: OBJECT/VIEW.ply; may be empty
-  GraspStore* store = nullptr;     ///< described, with grasps of the hands
+  /// Folder of real ones; may be empty. OBJECT/VIEW.ply; or OBJECT/LIST.conf, of which each scan is a view
+  /// and all together are one more. A mesh with faces beside them is the complete object in their frame.
+  std::filesystem::path scans;
+  GraspStore* store = nullptr;  ///< described, with grasps of the hands
   std::vector<std::shared_ptr<const HandModel>> hands;
   /// Name of a scanned object and of its complete one, where neither holds the other.
   std::map<std::string, std::string> same;
@@ -77,9 +79,10 @@ struct PartialScans {
 };
 
 /// Section VI-C of the paper: grasps planned on what one view shows. Simulated views come with the complete
-/// object, and real ones are laid upon a complete object whose name holds theirs (one-sided alignment by
-/// icp of what was seen; kMostMisfit), on which the best grasps are tried: the hand comes along its approach
-/// direction until it touches, and closes (rate_pregrasps). Cost: about 4 s of a core a view and hand.
+/// object, as may real ones; others are laid upon a complete object whose name holds theirs (one-sided
+/// alignment by icp of what was seen; kMostMisfit), on which the best grasps are tried: the hand comes along
+/// its approach direction until it touches, and closes (rate_pregrasps). Cost: about 4 s of a core a view and
+/// hand.
 /// @throws Error where a folder holds nothing to read, or the store has no grasps of a hand
 PartialScans run_partial_scans(const PartialScansOptions& options);
 
