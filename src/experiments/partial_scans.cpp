@@ -241,7 +241,7 @@ void PartialTrials::draw(const ScanTrial& trial, const Scene& scene, const std::
   picture.threads = 1;
   picture.tile = 300;
   picture.columns = 4;
-  picture.heading = fmt::format("{} on {} ({}), from one view", scene.hand->name, trial.object, trial.view);
+  picture.heading = fmt::format("{} on {}, view {}", scene.hand->name, trial.object, trial.view);
   const std::span<const Grasp> best(grasps.data(), std::min<std::size_t>(grasps.size(), 4));
   pictures.push_back(
       {fmt::format("partial/{}-{}-{}.png", trial.object, trial.view, scene.hand->name),
