@@ -53,6 +53,19 @@ class Scan(EndToEnd):
                      '--out', 'out', '--no-pictures')
         self.assertTrue((self.folder / 'out/grasps.json').exists())
 
+    def test_range_scans_with_poses_are_one_object(self):
+        for name, text in support.registered_balls(0.035).items():
+            self.file(name, text)
+        run = self.succeed('scan', 'ball.conf', '-o', 'ball.obj')
+        self.assertIn('1 of its 3 scans are not there and were left out: side.obj', run.stderr)
+        self.assertRegex(run.stdout, r'view 2     from 0.000 0.000 -1.000 m\n')
+        volume = float(re.search(r'volume +([0-9.]+) cm', self.succeed('object', 'info', 'ball.obj').stdout)[1])
+        self.assertAlmostEqual(volume / (4 / 3 * math.pi * 3.5 ** 3), 1.0, delta=0.05)
+        self.succeed('plan', 'ball.conf', '--hand', 'barrett-rubber', '--iterations', '5000', '--grasps', '3',
+                     '--out', 'out', '--no-pictures')
+        self.file('none.conf', 'bmesh side.obj 0 0 0 0 0 0 1\n')
+        self.refuse(['plan', 'none.conf', '--hand', 'human'], 'none.conf', 'none of which is there')
+
     def test_bad_clouds(self):
         plane = [(0.002 * i, 0.002 * j, 0.0) for i in range(20) for j in range(20)]
         nan = self.pcd('nan.pcd', [('nan', 'nan', 'nan')] * 60)

@@ -150,6 +150,21 @@ def box_obj(size, center=(0, 0, 0)):
     return '\n'.join(lines) + '\n'
 
 
+def registered_balls(radius, step=0.06):
+    """Files of two range scans of a ball, from in front and from behind, and of the list that lays them together."""
+    points = []
+    theta = step / 2
+    while radius * math.cos(theta) > radius * radius:  # seen from 1 m along +z
+        count = max(1, round(2 * math.pi * math.sin(theta) / step))
+        points += [(radius * math.sin(theta) * math.cos(2 * math.pi * k / count),
+                    radius * math.sin(theta) * math.sin(2 * math.pi * k / count), radius * math.cos(theta))
+                   for k in range(count)]
+        theta += step
+    cloud = ''.join('v {:.9g} {:.9g} {:.9g}\n'.format(*p) for p in points)
+    return {'front.obj': cloud, 'back.obj': cloud,
+            'ball.conf': 'bmesh front.obj 0 0 0 0 0 0 1\nbmesh back.obj 0 0 0 0 1 0 0\nbmesh side.obj 0 0 0 0 0 0 1\n'}
+
+
 def obj_vertices(path):
     return [tuple(map(float, line.split()[1:4])) for line in Path(path).read_text().splitlines()
             if line.startswith('v ')]

@@ -160,6 +160,29 @@ class Transfer(EndToEnd):
         self.refuse(['transfer', 'one', '--store', 'sqlite:bare.db', '--hand', 'human'], 'holds no grasps', 'db build')
         self.refuse(['reproduce', 'figure12', '--store', 'sqlite:bare.db', '--out', 'r'], 'db build')
 
+    def test_partial_scans(self):
+        self.store()
+        for name, text in support.registered_balls(0.035).items():
+            self.file(f'scans/ball/{name}', text)
+        self.succeed('scan', 'scans/ball/ball.conf', '-o', 'scans/ball/whole.obj')
+        self.file('complete/brick.obj', box_obj((0.04, 0.08, 0.06)))
+        self.succeed('reproduce', 'partial', '--store', 'sqlite:g.db', '--complete', 'complete', '--views', '1',
+                     '--scans', 'scans', '--hands', 'barrett-rubber', '--neighbors', '2', '--out', 'results')
+        trials = json.loads((self.folder / 'results/partial.json').read_text())['trials']
+        self.assertEqual([(t['object'], t['view']) for t in trials],
+                         [('brick', '1'), ('ball', 'front'), ('ball', 'back'), ('ball', 'all')])
+        self.assertEqual([t['complete'] for t in trials], ['brick', 'whole', 'whole', 'whole'])
+        self.assertGreater(trials[3]['agreement'], 0.95)
+        for trial in trials:
+            self.assertGreater(trial['agreement'], 0.6, trial)
+            self.assertEqual([g['by'] for g in trial['grasps']], ['transfer', 'planner'])
+            self.assertEqual(trial['grasps'][1]['found'], 20)
+        for found in [g for t in trials for g in t['grasps']]:
+            self.assertGreaterEqual(found['closed'], 0.5 * found['tried'])
+        page = (self.folder / 'results/partial.md').read_text()
+        self.assertIn('| ball | all | ', page)
+        self.assertTrue((self.folder / 'results/partial/ball-all-barrett-rubber.png').is_file())
+
     def test_figure12(self):
         self.store()
         args = ['reproduce', 'figure12', '--store', 'sqlite:g.db', '--neighbors', '2', '--out', 'results']
