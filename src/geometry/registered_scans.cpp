@@ -49,8 +49,9 @@ RegisteredScans load_registered_scans(const std::filesystem::path& file, double 
     const std::string_view keyword = lines.word();
     if (keyword == "camera") continue;
     if (keyword != "bmesh")
-      lines.fail_here("found \"{}\", expected bmesh or camera; mend the line, or name clouds of points instead",
-                      TextLines::shown(keyword));
+      lines.fail_here(
+          "found \"{}\", expected bmesh or camera; mend the line, or name clouds of points instead",
+          TextLines::shown(keyword));
     const std::filesystem::path name{std::string(lines.word())};
     if (name.empty()) lines.fail_here("the line ends where the file of a scan was expected; mend the line");
     const Pose X = read_pose(lines, scale);
@@ -64,8 +65,8 @@ RegisteredScans load_registered_scans(const std::filesystem::path& file, double 
     scans.names.push_back(name.stem().string());
   }
   if (scans.views.empty())
-    fail("{}: lists {} scans, none of which is there, expected them beside it; check the folder", file.string(),
-         scans.missing.size());
+    fail("{}: lists {} scans, none of which is there, expected them beside it; check the folder",
+         file.string(), scans.missing.size());
   return scans;
 }
 

@@ -22,9 +22,9 @@ bool is_registered_scans_file(const std::filesystem::path& file);
 
 /// Reads a list of range scans as the Stanford 3D Scanning Repository has them: lines
 ///     bmesh FILE tx ty tz qx qy qz qw
-/// a file beside the list, a translation [unit] and a quaternion whose inverse turns the scan: x = q^-1 p + t.
-/// A scan's sensor looks along -z of its frame, from 1 m. Lines "camera ..." are for renderers. Files that are
-/// not there are left out.
+/// a file beside the list, a translation [unit] and a quaternion whose inverse turns the scan: x = q^-1 p +
+/// t. A scan's sensor looks along -z of its frame, from 1 m. Lines "camera ..." are for renderers. Files that
+/// are not there are left out.
 /// @param scale metres of one unit @throws Error with file, line, what was found and what was expected; where
 /// none of the scans is there; and as load_point_cloud
 RegisteredScans load_registered_scans(const std::filesystem::path& file, double scale = 1.0);
