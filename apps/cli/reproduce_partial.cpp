@@ -56,9 +56,9 @@ int reproduce_partial(PartialChoice& choice) {
     fmt::print(stderr, "eigengrasp: stopped; nothing was written\n");
     return nothing_found;
   }
-  const ExperimentRecord record = make_record(fmt::format(
-      "eigengrasp reproduce partial --store STORE --complete DIR --scans DIR{}{} --neighbors {}",
-      choice.same.empty() ? "" : " --same ", fmt::join(choice.same, ","), options.neighbors));
+  const ExperimentRecord record = make_record(
+      fmt::format("eigengrasp reproduce partial --store STORE --complete DIR --scans DIR{}{} --neighbors {}",
+                  choice.same.empty() ? "" : " --same ", fmt::join(choice.same, ","), options.neighbors));
   for (const ResultPicture& picture : result.pictures) save_png(picture.image, choice.out / picture.file);
   write_file_atomically(choice.out / "partial.json", partial_scans_json(result, record));
   write_file_atomically(choice.out / "partial.md", partial_scans_markdown(result, options, record));
