@@ -27,6 +27,7 @@ class RegisteredScansFile : public ::testing::Test {
     return "accepted";
   }
 
+ private:
   TemporaryFolder folder_{"eigengrasp-registered-scans-test"};
 };
 
