@@ -140,8 +140,7 @@ void add_scan_command(CLI::App& app) {
   scan->add_option("--threads", choice->options.threads, "Default: all");
   scan->footer(
       "plan, transfer and serve take a cloud of one view, or a .conf, as an object directly, with the "
-      "defaults "
-      "of this command.\nExamples:\n  eigengrasp scan mug.ply -o mug.obj --camera 0,0,0\n"
+      "defaults of this command.\nExamples:\n  eigengrasp scan mug.ply -o mug.obj --camera 0,0,0\n"
       "  eigengrasp scan left.pcd right.pcd -o part.obj --units mm --remove-table\n"
       "  eigengrasp scan bunny/bun.conf -o bunny.obj\n"
       "Exit code: 0, 2 bad input.");

@@ -25,13 +25,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A view that is still to be taken or read.
+/// A view that is still to be taken, or to be planned on.
 struct ViewTask {
-  fs::path file;
-  int view = 0;  ///< of a simulated camera, or in a list of registered scans; kAllViews: all of the list
-  bool simulated = false;
-  bool shown = false;      ///< in pictures
-  fs::path complete = {};  ///< of a real scan: the complete object in the same frame; may be empty
+  std::string object;
+  fs::path complete;  ///< the complete object in the frame of the views; empty: there is none
+  std::shared_ptr<const RegisteredScans> scans;  ///< null: a simulated camera looks at the complete object
+  int view = 0;                                  ///< of the cameras or the scans; kAllViews: all scans
+  bool upright = true;                           ///< z is up
+  bool shown = false;                            ///< in pictures
 };
 constexpr int kAllViews = -1;
 
@@ -53,27 +54,38 @@ std::vector<fs::path> sorted_files(const fs::path& folder, bool recursive) {
   return files;
 }
 
-/// Of one folder: a cloud is a view, a list of registered scans stands for the clouds beside it, and a mesh
-/// with faces is the complete object.
-std::vector<ViewTask> list_scans(const std::vector<fs::path>& files) {
-  std::vector<ViewTask> tasks;
-  const auto list = std::find_if(files.begin(), files.end(), is_registered_scans_file);
-  const auto complete = std::find_if(files.begin(), files.end(), [](const fs::path& file) {
-    return is_mesh_file(file) && !is_point_cloud_file(file);
-  });
-  if (list != files.end()) {
-    const int n = static_cast<int>(load_registered_scans(*list).views.size());
-    for (int view = 0; view < n; ++view) tasks.push_back({*list, view});
-    tasks.push_back({*list, kAllViews});
-  } else {
-    for (const fs::path& file : files)
-      if (is_point_cloud_file(file)) tasks.push_back({file});
+RegisteredScans load_clouds(const std::vector<fs::path>& files) {
+  RegisteredScans scans;
+  for (const fs::path& file : files) {
+    scans.views.push_back(load_point_cloud(file));
+    scans.names.push_back(file.stem().string());
   }
-  if (tasks.empty()) return tasks;
-  for (ViewTask& task : tasks)
-    if (complete != files.end()) task.complete = *complete;
+  return scans;
+}
+
+/// Of one folder: each scan of a list is a view, and all together; else each cloud. A mesh with faces beside
+/// them is the complete object; where there are only meshes, they are the views.
+std::vector<ViewTask> list_scans(const std::string& object, const std::vector<fs::path>& files) {
+  const auto list = std::find_if(files.begin(), files.end(), is_registered_scans_file);
+  const bool registered = list != files.end();
+  std::vector<fs::path> clouds, meshes;
+  for (const fs::path& file : files)
+    if (!is_registered_scans_file(file)) (is_point_cloud_file(file) ? clouds : meshes).push_back(file);
+  if (!registered && clouds.empty()) std::swap(clouds, meshes);
+  ViewTask task;
+  task.object = object;
+  if (!meshes.empty()) task.complete = meshes.front();
+  task.scans = std::make_shared<const RegisteredScans>(registered ? load_registered_scans(*list)
+                                                                  : load_clouds(clouds));
+  task.upright = !registered;
+  std::vector<ViewTask> tasks(task.scans->views.size(), task);
+  for (std::size_t i = 0; i < tasks.size(); ++i) tasks[i].view = static_cast<int>(i);
   tasks.front().shown = true;
-  tasks.back().shown = tasks.back().view == kAllViews || tasks.size() == 1;
+  if (registered) {
+    tasks.push_back(task);
+    tasks.back().view = kAllViews;
+    tasks.back().shown = true;
+  }
   return tasks;
 }
 
@@ -85,14 +97,14 @@ std::vector<ViewTask> list_views(const PartialScansOptions& options) {
     for (const fs::path& file : sorted_files(options.complete, false)) {
       const bool shown = objects++ % 4 == 2;
       for (int view = 0; view < options.views; ++view)
-        tasks.push_back({file, view, true, shown && view == 0, {}});
+        tasks.push_back({file.stem().string(), file, nullptr, view, true, shown && view == 0});
     }
   if (!options.scans.empty()) {
     std::map<fs::path, std::vector<fs::path>> folders;
     for (const fs::path& file : sorted_files(options.scans, true))
       folders[file.parent_path()].push_back(file);
     for (const auto& [folder, files] : folders) {
-      const std::vector<ViewTask> scans = list_scans(files);
+      const std::vector<ViewTask> scans = list_scans(folder.filename().string(), files);
       tasks.insert(tasks.end(), scans.begin(), scans.end());
     }
   }
@@ -249,46 +261,40 @@ void PartialTrials::draw(const ScanTrial& trial, const Scene& scene, const std::
        grasps_picture(scene, best, picture)});
 }
 
-/// The views of a real scan, and what their file calls them.
-struct RealViews {
-  std::vector<PointCloud> clouds;
-  std::string name;
-};
+/// What the view is called on the page.
+std::string name_of(const ViewTask& task) {
+  if (task.view == kAllViews) return "all";
+  return task.scans ? task.scans->names[static_cast<std::size_t>(task.view)]
+                    : fmt::format("{}", task.view + 1);
+}
 
-RealViews load_real_views(const ViewTask& task) {
-  if (!is_registered_scans_file(task.file)) return {{load_point_cloud(task.file)}, task.file.stem().string()};
-  RegisteredScans scans = load_registered_scans(task.file);
-  if (task.view == kAllViews) return {std::move(scans.views), "all"};
-  const auto k = static_cast<std::size_t>(task.view);
-  return {{std::move(scans.views[k])}, scans.names[k]};
+/// Clouds of a real scan.
+std::vector<PointCloud> clouds_of(const ViewTask& task) {
+  if (task.view == kAllViews) return task.scans->views;
+  return {task.scans->views[static_cast<std::size_t>(task.view)]};
 }
 
 ScanTrial PartialTrials::run(const ViewTask& task, std::vector<ResultPicture>& pictures) const {
   ScanTrial trial;
-  trial.simulated = task.simulated;
-  trial.object = task.simulated ? task.file.stem().string() : task.file.parent_path().filename().string();
-  trial.view = fmt::format("{}", task.view + 1);
+  trial.simulated = task.scans == nullptr;
+  trial.object = task.object;
+  trial.view = name_of(task);
   Complete complete;
-  const fs::path& whole = task.simulated ? task.file : task.complete;
-  if (!whole.empty()) {
-    complete.object =
-        std::make_shared<const ObjectModel>(make_object(whole.stem().string(), load_mesh(whole)));
+  const bool same_frame = !task.complete.empty();
+  if (same_frame) {
+    complete.object = std::make_shared<const ObjectModel>(
+        make_object(task.complete.stem().string(), load_mesh(task.complete)));
     trial.complete = complete.object->name;
   }
-  std::vector<PointCloud> clouds;
-  if (task.simulated) {
-    clouds.push_back(simulated_view(complete.object->mesh, task.view, options_));
-  } else {
-    RealViews views = load_real_views(task);
-    clouds = std::move(views.clouds);
-    trial.view = views.name;
-  }
+  const std::vector<PointCloud> clouds =
+      task.scans ? clouds_of(task)
+                 : std::vector<PointCloud>{simulated_view(complete.object->mesh, task.view, options_)};
   ObjectPtr seen;
   try {
     const CoreWatch watch;
     ScanOptions scan;
     scan.threads = 1;
-    if (!is_registered_scans_file(task.file)) scan.up = Vec3::UnitZ();
+    if (task.upright) scan.up = Vec3::UnitZ();
     const ScanSurface surface = make_scan_surface(clouds, scan);
     trial.seconds = watch.seconds();
     trial.mirrored = surface.mirror.has_value();
@@ -299,7 +305,7 @@ ScanTrial PartialTrials::run(const ViewTask& task, std::vector<ResultPicture>& p
     trial.failure = e.what();
     return trial;
   }
-  if (!whole.empty()) trial.agreement = agreement(seen->bvh, complete.object->bvh);
+  if (same_frame) trial.agreement = agreement(seen->bvh, complete.object->bvh);
   for (const HandPtr& hand : options_.hands) {
     const Scene scene = scene_of(hand, seen);
     for (const ScanPlanner planner : kScanPlanners) {

@@ -160,8 +160,7 @@ std::string partial_scans_markdown(const PartialScans& result, const PartialScan
             "a complete model of the object, what was seen is laid upon it (one-sided\nICP; misfit: root "
             "mean square distance), and if it lies within {:.0f} mm, the {} best grasps are tried on it.\n"
             "Range scans that come with their poses are views of one frame, the complete object's, and "
-            "\"all\" is "
-            "all of them together: what no\nview shows then counts as the object.\n\n",
+            "\"all\" is all of them together: what no\nview shows then counts as the object.\n\n",
             1e3 * kMostMisfit, options.best) +
         totals_table(result, options, false) + "\n" + trials_table(result, options, false) + "\n" +
         pictures_of(result, false);

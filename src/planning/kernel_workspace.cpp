@@ -19,7 +19,7 @@ int rows_of_near(const kernel::Program& p) {
 
 int rows_of(const kernel::Program& p) {
   return 3 + 4 + p.n_amplitudes + 3 + p.n_dofs + 12 * p.n_bodies + 3 * p.n_parts + 3 * p.n_cores +
-         rows_of_near(p) + 1;
+         rows_of_near(p) + 1 + kernel::n_approach_rows * p.n_contacts;
 }
 
 }  // namespace
@@ -39,8 +39,7 @@ float* LaneRows::take(int n) {
   return taken;
 }
 
-KernelWorkspace::KernelWorkspace(const kernel::Program& p)
-    : rows_(rows_of(p)), approaches_(kernel::n_approach_rows * p.n_contacts) {
+KernelWorkspace::KernelWorkspace(const kernel::Program& p) : rows_(rows_of(p)) {
   work_.position = rows_.take(3);
   work_.quaternion = rows_.take(4);
   work_.amplitudes = rows_.take(p.n_amplitudes);
@@ -53,12 +52,13 @@ KernelWorkspace::KernelWorkspace(const kernel::Program& p)
   work_.cores = rows_.take(3 * p.n_cores);
   work_.near = reinterpret_cast<std::uint32_t*>(rows_.take(rows_of_near(p)));
   work_.row = rows_.take(1);
+  approaches_ = rows_.take(kernel::n_approach_rows * p.n_contacts);
   std::fill_n(work_.quaternion, kernel::n_lanes, 1.0f);
   std::fill_n(work_.threshold, kernel::n_lanes, std::numeric_limits<float>::infinity());
 }
 
 void KernelWorkspace::keep_approaches() {
-  work_.approaches = approaches_.take(0);
+  work_.approaches = approaches_;
 }
 
 KernelChains::KernelChains(int n_amplitudes) : rows_(3 + 4 + n_amplitudes + 4 + 4) {

@@ -33,7 +33,7 @@ class KernelWorkspace {
 
  private:
   LaneRows rows_;
-  LaneRows approaches_;
+  float* approaches_;  ///< rows for them, whether kept or not
   kernel::Workspace work_{};
 };
 

@@ -26,6 +26,7 @@ struct PartialScansOptions {
   std::filesystem::path complete;  ///< folder of complete objects, for simulated depth cameras; may be empty
   /// Folder of real ones; may be empty. OBJECT/VIEW.ply; or OBJECT/LIST.conf, of which each scan is a view
   /// and all together are one more. A mesh with faces beside them is the complete object in their frame.
+  /// Where there are only meshes, they are the views.
   std::filesystem::path scans;
   GraspStore* store = nullptr;  ///< described, with grasps of the hands
   std::vector<std::shared_ptr<const HandModel>> hands;
