@@ -165,10 +165,14 @@ class Transfer(EndToEnd):
         for name, text in support.registered_balls(0.035).items():
             self.file(f'scans/ball/{name}', text)
         self.succeed('scan', 'scans/ball/ball.conf', '-o', 'scans/ball/whole.obj')
+        self.file('scans/half/view.obj', support.registered_balls(0.035)['front.obj'] + 'f 1 2 3\n')  # with a face
         self.file('complete/brick.obj', box_obj((0.04, 0.08, 0.06)))
         self.succeed('reproduce', 'partial', '--store', 'sqlite:g.db', '--complete', 'complete', '--views', '1',
                      '--scans', 'scans', '--hands', 'barrett-rubber', '--neighbors', '2', '--out', 'results')
         trials = json.loads((self.folder / 'results/partial.json').read_text())['trials']
+        half = trials.pop()
+        self.assertEqual((half['object'], half['view'], half.get('complete')), ('half', 'view', None))
+        self.assertEqual(half['grasps'][1]['found'], 20)
         self.assertEqual([(t['object'], t['view']) for t in trials],
                          [('brick', '1'), ('ball', 'front'), ('ball', 'back'), ('ball', 'all')])
         self.assertEqual([t['complete'] for t in trials], ['brick', 'whole', 'whole', 'whole'])

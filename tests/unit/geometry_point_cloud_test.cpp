@@ -8,30 +8,20 @@
 #include <cstring>
 #include <limits>
 
-#include "eigengrasp/core/error.hpp"
-#include "eigengrasp/core/files.hpp"
-#include "eigengrasp/core/temporary_folder.hpp"
+#include "support/written_files.hpp"
 
 namespace eigengrasp {
 namespace {
 
-class PointCloudFile : public ::testing::Test {
- protected:
-  std::filesystem::path write(const std::string& name, const std::string& content) {
-    const auto file = folder_.path() / name;
-    write_file_atomically(file, content);
-    return file;
+struct PointCloudFile : ::testing::Test {
+  std::filesystem::path write(const std::string& name, const std::string& content) const {
+    return folder.write(name, content);
   }
-  std::string refusal(const std::string& name, const std::string& content) {
-    try {
-      load_point_cloud(write(name, content));
-    } catch (const Error& e) {
-      return e.what();
-    }
-    return "accepted";
+  std::string refusal(const std::string& name, const std::string& content) const {
+    return testing::error_of([&] { load_point_cloud(write(name, content)); });
   }
 
-  TemporaryFolder folder_{"eigengrasp-cloud-test"};
+  testing::TempFolder folder;
 };
 
 std::string floats(std::initializer_list<float> numbers) {
@@ -97,7 +87,7 @@ TEST_F(PointCloudFile, DamagedFilesAreExplained) {
                     "property float z\nend_header\nnan nan nan\n")
                 .find("no point with finite"),
             std::string::npos);
-  EXPECT_THROW(load_point_cloud(folder_.path() / "none.ply"), Error);
+  EXPECT_THROW(load_point_cloud(folder.path() / "none.ply"), Error);
 }
 
 TEST(PointCloud, SpacingOfAGrid) {

@@ -4,31 +4,20 @@
 
 #include <gtest/gtest.h>
 
-#include "eigengrasp/core/error.hpp"
-#include "eigengrasp/core/files.hpp"
-#include "eigengrasp/core/temporary_folder.hpp"
+#include "support/written_files.hpp"
 
 namespace eigengrasp {
 namespace {
 
-class RegisteredScansFile : public ::testing::Test {
- protected:
-  std::filesystem::path write(const std::string& name, const std::string& content) {
-    const auto file = folder_.path() / name;
-    write_file_atomically(file, content);
-    return file;
+struct RegisteredScansFile : ::testing::Test {
+  std::filesystem::path write(const std::string& name, const std::string& content) const {
+    return folder.write(name, content);
   }
-  std::string refusal(const std::string& content) {
-    try {
-      load_registered_scans(write("list.conf", content));
-    } catch (const Error& e) {
-      return e.what();
-    }
-    return "accepted";
+  std::string refusal(const std::string& content) const {
+    return testing::error_of([&] { load_registered_scans(write("list.conf", content)); });
   }
 
- private:
-  TemporaryFolder folder_{"eigengrasp-registered-scans-test"};
+  testing::TempFolder folder;
 };
 
 // A quarter turn about y, as a quaternion whose inverse turns the scan: x to z, z to -x.
