@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The eigengrasp authors
-// What becomes of a pre-grasp, step by step: the human hand and the glass, shipped or, where the variable
-// EIGENGRASP_BENCH_GRASPIT names GraspIt!'s folder, those of GraspIt!, and the best pre-grasps of a short
-// search with a fixed seed. The time is that of one candidate; the means contacts, closed, epsilon and legal
-// tell whether the results are still the same.
+// What becomes of a pre-grasp, step by step, each with what the one before hands over: the human hand and the
+// glass, shipped or, where the variable EIGENGRASP_BENCH_GRASPIT names GraspIt!'s folder, those of GraspIt!,
+// and the best pre-grasps of a short search with a fixed seed. The time is that of one candidate; the means
+// contacts, closed, epsilon and legal tell whether the results are still the same.
 #include <benchmark/benchmark.h>
 
 #include <cstdlib>
@@ -92,7 +92,7 @@ void closing(benchmark::State& state) {
 
 void contacts(benchmark::State& state) {
   run(state, [](const Bench& b, const Candidate& c) {
-    benchmark::DoNotOptimize(find_contacts(*b.model, c.closed.X_OL).data());
+    benchmark::DoNotOptimize(find_contacts(*b.model, c.closed.X_OL, {}, &c.closed.proximity).data());
   });
 }
 
@@ -110,7 +110,7 @@ void epsilon(benchmark::State& state) {
 
 void deepest_penetration(benchmark::State& state) {
   run(state, [](const Bench& b, const Candidate& c) {
-    benchmark::DoNotOptimize(b.model->deepest_penetration(c.closed.X_OL));
+    benchmark::DoNotOptimize(b.model->deepest_penetration(c.closed.X_OL, &c.closed.proximity));
   });
 }
 

@@ -10,10 +10,16 @@
 #include "eigengrasp/geometry/sphere_cover.hpp"
 #include "geometry/hole_lids.hpp"
 #include "geometry/point_tree.hpp"
+#include "geometry/triangle_pieces.hpp"
 
 namespace eigengrasp {
 
 namespace {
+
+using detail::center_of;
+using detail::longest_side_first;
+using detail::size_about;
+using detail::visit_pieces;
 
 /// Largest ball inside the surface that touches it at p, and where it touches it again; radius 0 where none
 /// was found.
@@ -39,15 +45,6 @@ MedialBall find_medial_ball(const MeshBvh& bvh, const Vec3& p, const Vec3& n, do
   }
   const Vec3 c = p - r * n;
   return {{c, std::min(r, bvh.closest_point(c, r).distance)}, other};
-}
-
-/// The same triangle, turned.
-TriangleCorners longest_side_first(const TriangleCorners& t) {
-  const double ab = (t.b - t.a).squaredNorm();
-  const double bc = (t.c - t.b).squaredNorm();
-  const double ca = (t.a - t.c).squaredNorm();
-  if (ab >= bc && ab >= ca) return t;
-  return bc >= ca ? TriangleCorners{t.b, t.c, t.a} : TriangleCorners{t.c, t.a, t.b};
 }
 
 /// -1: the solid is behind the surface at p, where the normal comes from; 1: in front of it; 0: on both sides
@@ -232,19 +229,6 @@ class SphereChoice {
   std::vector<int> chosen_;
 };
 
-/// Halves a triangle along its longest side until no side is longer than `side`; the centres of the pieces.
-template <typename Visit>
-void visit_pieces(const TriangleCorners& t, double side, const Visit& visit) {
-  const TriangleCorners s = longest_side_first(t);
-  if ((s.b - s.a).squaredNorm() <= side * side) {
-    visit((s.a + s.b + s.c) / 3.0);
-    return;
-  }
-  const Vec3 middle = 0.5 * (s.a + s.b);
-  visit_pieces({s.b, s.c, middle}, side, visit);
-  visit_pieces({s.c, s.a, middle}, side, visit);
-}
-
 Vec3 unit_normal(const TriangleMesh& mesh, std::size_t t) {
   const Vec3 n = area_normal(mesh, t);
   const double length = n.norm();
@@ -261,7 +245,8 @@ SurfaceSamples sample_thinly(const TriangleMesh& mesh, const MeshBvh& bvh, doubl
     Eigen::Index axis = 0;  // the two sides of a thin plate are not one
     normal.cwiseAbs().maxCoeff(&axis);
     const auto face = static_cast<std::uint64_t>(2 * axis + (normal[axis] < 0.0 ? 1 : 0));
-    visit_pieces(bvh.corners(static_cast<int>(t)), 1.5 * spacing, [&](const Vec3& p) {
+    visit_pieces(bvh.corners(static_cast<int>(t)), 1.5 * spacing, [&](const TriangleCorners& piece) {
+      const Vec3 p = center_of(piece);
       std::uint64_t key = face;
       for (Eigen::Index k = 0; k < 3; ++k)
         key = key << 20 | (static_cast<std::uint64_t>(std::llround(p[k] / spacing)) & 0xfffff);
@@ -284,7 +269,7 @@ class GapSearch {
 
   /// Adds the centres of pieces of the side or smaller that are not reached.
   void search(const TriangleCorners& t, const Vec3& normal, SurfaceSamples& gaps) {
-    const Vec3 center = (t.a + t.b + t.c) / 3.0;
+    const Vec3 center = center_of(t);
     const double radius = size_about(t, center);
     near_.clear();
     for (const SphereGroup& g : groups_)
@@ -298,13 +283,9 @@ class GapSearch {
     const double reach = s.radius + distance;
     return (p - s.center).squaredNorm() <= reach * reach;
   }
-  static double size_about(const TriangleCorners& t, const Vec3& center) {
-    return std::sqrt(
-        std::max({(t.a - center).squaredNorm(), (t.b - center).squaredNorm(), (t.c - center).squaredNorm()}));
-  }
 
   bool is_hidden(const TriangleCorners& t, const Vec3& normal) const {
-    const Vec3 center = (t.a + t.b + t.c) / 3.0;
+    const Vec3 center = center_of(t);
     for (const Vec3* p : {&center, &t.a, &t.b, &t.c})
       if (find_solid_side(bvh_, *p + 0.01 * (center - *p), normal) != 0) return false;
     return true;
@@ -313,7 +294,7 @@ class GapSearch {
   /// near_ from `first` on: all spheres that may reach the piece.
   void search_piece(const TriangleCorners& t, std::size_t first, const Vec3& normal, SurfaceSamples& gaps) {
     const std::size_t end = near_.size();
-    const Vec3 center = (t.a + t.b + t.c) / 3.0;
+    const Vec3 center = center_of(t);
     const double radius = size_about(t, center);
     bool center_reached = false;
     for (std::size_t i = first; i < end; ++i) {

@@ -14,6 +14,7 @@
 #include "eigengrasp/core/content_hash.hpp"
 #include "eigengrasp/core/error.hpp"
 #include "eigengrasp/core/files.hpp"
+#include "eigengrasp/geometry/ball_cover.hpp"
 
 namespace eigengrasp {
 
@@ -126,7 +127,7 @@ std::optional<DistanceField::Grids> grids_of(const std::string& payload) {
   return grids;
 }
 
-std::optional<std::vector<Sphere>> spheres_of(const std::string& payload) {
+std::optional<std::vector<Sphere>> unpacked_spheres(const std::string& payload) {
   Reader reader(payload);
   std::vector<Sphere> spheres(payload.size() / (4 * sizeof(double)));
   for (Sphere& s : spheres)
@@ -179,10 +180,21 @@ DistanceField PreparationCache::field_of(const std::string& content_key, const M
 
 std::vector<Sphere> PreparationCache::inner_spheres(const TriangleMesh& mesh, const MeshBvh& bvh,
                                                     double tolerance) {
-  const std::string key = fmt::format("inner spheres {} tolerance {:a}", content_key_of(mesh), tolerance);
+  return spheres_of(fmt::format("inner spheres {} tolerance {:a}", content_key_of(mesh), tolerance),
+                    [&] { return cover_with_inner_spheres(mesh, bvh, tolerance); });
+}
+
+std::vector<Sphere> PreparationCache::holding_spheres(const TriangleMesh& mesh, const MeshBvh& bvh,
+                                                      double tolerance) {
+  return spheres_of(fmt::format("holding spheres {} tolerance {:a}", content_key_of(mesh), tolerance),
+                    [&] { return grow_to_hold(bvh, inner_spheres(mesh, bvh, tolerance)); });
+}
+
+std::vector<Sphere> PreparationCache::spheres_of(const std::string& key,
+                                                 const std::function<std::vector<Sphere>()>& make) {
   if (const auto payload = read(key))
-    if (auto spheres = spheres_of(*payload)) return *std::move(spheres);
-  std::vector<Sphere> spheres = cover_with_inner_spheres(mesh, bvh, tolerance);
+    if (auto spheres = unpacked_spheres(*payload)) return *std::move(spheres);
+  std::vector<Sphere> spheres = make();
   std::string payload;
   for (const Sphere& s : spheres) {
     put(payload, s.center);

@@ -30,23 +30,13 @@ SurfaceSamples sample_surface(const TriangleMesh& mesh, double spacing) {
 
 namespace {
 
-/// Ball about the middle of the spheres' box.
-Sphere bound_of(const Sphere* spheres, int count) {
-  Box box;
-  for (int i = 0; i < count; ++i) {
-    box.add(spheres[i].center - Vec3::Constant(spheres[i].radius));
-    box.add(spheres[i].center + Vec3::Constant(spheres[i].radius));
-  }
-  Sphere bound{box.center(), 0.0};
-  for (int i = 0; i < count; ++i)
-    bound.radius = std::max(bound.radius, (spheres[i].center - bound.center).norm() + spheres[i].radius);
-  return bound;
-}
-
 void split(std::vector<Sphere>& spheres, int first, int count, int group_size,
            std::vector<SphereGroup>& groups) {
   if (count <= group_size) {
-    if (count > 0) groups.push_back({bound_of(spheres.data() + first, count), first, count});
+    if (count > 0)
+      groups.push_back({bounding_sphere(std::span<const Sphere>(spheres).subspan(
+                            static_cast<std::size_t>(first), static_cast<std::size_t>(count))),
+                        first, count});
     return;
   }
   Box centers;
@@ -67,6 +57,18 @@ std::vector<SphereGroup> group_spheres(std::vector<Sphere>& spheres, int group_s
   std::vector<SphereGroup> groups;
   split(spheres, 0, static_cast<int>(spheres.size()), group_size, groups);
   return groups;
+}
+
+Sphere bounding_sphere(std::span<const Sphere> spheres) {
+  Box box;
+  for (const Sphere& s : spheres) {
+    box.add(s.center - Vec3::Constant(s.radius));
+    box.add(s.center + Vec3::Constant(s.radius));
+  }
+  Sphere bound{box.center(), 0.0};
+  for (const Sphere& s : spheres)
+    bound.radius = std::max(bound.radius, (s.center - bound.center).norm() + s.radius);
+  return bound;
 }
 
 Sphere bounding_sphere(const std::vector<Vec3>& points) {

@@ -46,6 +46,8 @@ HandSurfaces::HandSurfaces(const HandModel& hand, double cover_tolerance, int th
     links[i].inner_spheres = cache != nullptr ? cache->inner_spheres(mesh, links[i].bvh, cover_tolerance)
                                               : cover_with_inner_spheres(mesh, links[i].bvh, cover_tolerance);
     links[i].groups = group_spheres(links[i].inner_spheres, 8);
+    links[i].cover = BallCover(cache != nullptr ? cache->holding_spheres(mesh, links[i].bvh, cover_tolerance)
+                                                : grow_to_hold(links[i].bvh, links[i].inner_spheres));
     DistanceFieldOptions field;
     field.cell = 0.0015;
     field.margin = 0.008;
@@ -128,7 +130,8 @@ CollisionModel::ObjectOverlap overlap(const MeshBvh& solid, const DistanceField&
                                       double clearance = 0.0) {
   CollisionModel::ObjectOverlap result;
   if (link.empty() || box_apart(solid.box(), moved(link.bound, X_SL))) return result;
-  result.crosses = !rules_out_crossing(clearance) && intersects(solid, link.bvh, X_SL, field);
+  result.crosses = !rules_out_crossing(clearance) && !link.cover.keeps_away(field, X_SL, 0.0) &&
+                   intersects(solid, link.bvh, X_SL, field);
   if (!result.crosses)
     result.contained = inside(solid, field, X_SL * link.bvh.corners(0).a) ||
                        inside(link.bvh, link.field, X_SL.inverse() * solid.corners(0).a);
@@ -232,7 +235,8 @@ Legality CollisionModel::check_exact(const std::vector<Pose>& X_OL) const {
     const auto& sa = surfaces_->links[static_cast<std::size_t>(a)];
     const auto& sb = surfaces_->links[static_cast<std::size_t>(b)];
     const Pose X_AB = X_OL[static_cast<std::size_t>(a)].inverse() * X_OL[static_cast<std::size_t>(b)];
-    if (!spheres_apart(sa.bound, sb.bound, X_AB) && intersects(sa.bvh, sb.bvh, X_AB))
+    if (!spheres_apart(sa.bound, sb.bound, X_AB) && !sb.cover.keeps_away(sa.field, X_AB, 0.0) &&
+        intersects(sa.bvh, sb.bvh, X_AB))
       return Legality::hits_itself;
   }
   return Legality::legal;

@@ -46,6 +46,7 @@ std::vector<GraspContact> find_contacts(const CollisionModel& model, const std::
         certain_distance(model.object_field(), X_OL[i] * surface.bound.center) >
             surface.bound.radius + options.threshold)
       continue;
+    if (surface.cover.keeps_away(model.object_field(), X_OL[i], options.threshold)) continue;
     const HandLink& link = scene.hand->links[i];
     const bool has_front = known != nullptr && i < known->object_fronts.size();
     const auto touches =

@@ -27,6 +27,7 @@ struct Pair {
   int first_joint = 0;  ///< of the joints that move the other surface, then the link, in the list of all
   int first_of_link = 0;
   int end_joint = 0;
+  double distance = infinity;   ///< [m] of the triangles that limited the last look at the meshes
   double clearance = infinity;  ///< distance [m] that the two are sure to keep, as all looks have told
 };
 
@@ -242,14 +243,19 @@ class FingerCloser {
     free_until = infinity;
     if (t == 0.0 || !motion.still()) {
       const double horizon = horizon_of(p, motion, t);
-      if (p.kind == Pair::Kind::links) free.time = time_of_bounds(p, motion, t);
-      if (p.kind == Pair::Kind::links && free.time >= horizon) {
-        free_until = t + free.time;
+      const double known = p.kind == Pair::Kind::links ? time_of_bounds(p, motion, t)
+                           : p.kind == Pair::Kind::object && !(p.distance < near)
+                               ? time_of_balls(p, motion, t, horizon)
+                               : 0.0;
+      if (known >= (p.kind == Pair::Kind::links ? 1.0 : balls_look_ahead / look_ahead) * horizon) {
+        free.time = known;
+        free_until = t + known;
         p.clearance = std::min(p.clearance, margin());
       } else {
         free = time_of_surfaces(p, motion, t, horizon, touching);
         free_until = p.front.free_until();
         p.clearance = std::min(p.clearance, p.front.clearance());
+        p.distance = free.distance;
       }
     }
     // Pairs that are looked at together share the poses.
@@ -280,6 +286,13 @@ class FingerCloser {
     for (const Screw& s : motion.of_b)
       rate += std::max(0.0, b.radius * n.cross(s.angular).norm() - n.dot(s.velocity(at_b)));
     return time_to_close(gap, rate, motion.acceleration);
+  }
+
+  /// How long the balls about the link tell that it is free of the object; 0 where that is not for long.
+  double time_of_balls(const Pair& p, const SurfaceMotion& motion, double t, double horizon) {
+    return surface(p.link).cover.free_time(model_.object_field(), motion_.pose(p.link, t), motion, margin(),
+                                           balls_horizons * horizon,
+                                           horizon * (balls_look_ahead / look_ahead));
   }
 
   FreeTime time_of_surfaces(Pair& p, const SurfaceMotion& motion, double t, double horizon, double touching) {
@@ -336,8 +349,11 @@ class FingerCloser {
     free_until_[static_cast<std::size_t>(p.number)] = infinity;
   }
 
-  static constexpr double tick_turn = 0.05;    // [rad or m] of the fastest joint
-  static constexpr double look_ahead = 0.002;  // [m] of motion: further is dear to search
+  static constexpr double tick_turn = 0.05;           // [rad or m] of the fastest joint
+  static constexpr double look_ahead = 0.002;         // [m] of motion: further is dear to search
+  static constexpr double balls_look_ahead = 0.0003;  // [m] of motion that a look at balls must tell
+  static constexpr double balls_horizons = 4.0;       // for so many a look at balls goes on
+  static constexpr double near = 0.001;               // [m] where balls have nothing to tell
   static constexpr double horizon_ticks = 4.0;
   static constexpr double least_progress = 1e-5;  // ticks: a slide that gets no further ends
 

@@ -3,6 +3,7 @@
 #include "eigengrasp/planning/palm_approach.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "eigengrasp/geometry/mesh_motion.hpp"
 #include "eigengrasp/kinematics/forward_kinematics.hpp"
@@ -14,7 +15,8 @@ namespace {
 /// A link and what it may run into.
 struct Course {
   int link;
-  int obstacle;  ///< -1: the object
+  int obstacle;             ///< -1: the object
+  double free_until = 0.0;  ///< travel [m] up to which the two are sure to be apart
   SeparationFront front = {};
 };
 
@@ -34,22 +36,33 @@ Pose shifted(const Pose& X, const Vec3& by) {
   return moved;
 }
 
-/// How far the link, posed at X_OL after so much travel, is free to move along the direction.
-FreeTime look(const CollisionModel& model, Course& course, const Pose& X_OL, double travel,
-              const Vec3& direction_O, double margin) {
+/// Looks how far the link, posed at X_OL after so much travel, is free to move along the direction.
+/// @return the distance [m] of the triangles that limit the way; infinite where none was looked at
+double look(const CollisionModel& model, Course& course, const Pose& X_OL, double travel,
+            const Vec3& direction_O, double margin) {
   constexpr double look_ahead = 0.010;  // [m]
+  constexpr double worth_it = 0.0005;   // [m] that a look at balls must tell
   const Scene& scene = model.scene();
   const bool is_object = course.obstacle < 0;
   const Obstacle* obstacle =
       is_object ? nullptr : &scene.obstacles[static_cast<std::size_t>(course.obstacle)];
   const Pose X_OS = is_object ? Pose::Identity() : obstacle->X_OB;
   const MeshBvh& solid = is_object ? scene.object->bvh : obstacle->model->bvh;
-  const MeshBvh& link = model.surfaces().links[static_cast<std::size_t>(course.link)].bvh;
+  const auto& link = model.surfaces().links[static_cast<std::size_t>(course.link)];
   const Pose X_SL = X_OS.inverse() * X_OL;
   const Screw screw{Vec3::Zero(), X_OS.linear().transpose() * direction_O};
   const SurfaceMotion motion{{}, {&screw, 1}, 0.0};
-  return course.front.look(solid, link, X_SL, motion, travel, margin, look_ahead,
-                           is_object ? model.object_field() : DistanceField{});
+  const double way =
+      is_object ? link.cover.free_time(model.object_field(), X_SL, motion, margin, look_ahead, worth_it)
+                : 0.0;
+  if (way >= worth_it) {
+    course.free_until = travel + way;
+    return std::numeric_limits<double>::infinity();
+  }
+  const FreeTime free = course.front.look(solid, link.bvh, X_SL, motion, travel, margin, look_ahead,
+                                          is_object ? model.object_field() : DistanceField{});
+  course.free_until = course.front.free_until();
+  return free.distance;
 }
 
 }  // namespace
@@ -67,12 +80,12 @@ PalmApproach approach_until_contact(const CollisionModel& model, const Pose& X_O
   result.travel = max_travel;
   while (!courses.empty()) {
     Course& next = *std::min_element(courses.begin(), courses.end(), [](const Course& a, const Course& b) {
-      return a.front.free_until() < b.front.free_until();
+      return a.free_until < b.free_until;
     });
-    const double travel = next.front.free_until();
+    const double travel = next.free_until;
     if (travel >= max_travel) break;
     const Pose X = shifted(X_OL[static_cast<std::size_t>(next.link)], travel * direction_O);
-    if (look(model, next, X, travel, direction_O, 0.5 * contact_gap).distance <= contact_gap) {
+    if (look(model, next, X, travel, direction_O, 0.5 * contact_gap) <= contact_gap) {
       result.travel = travel;
       result.touches = true;
       break;

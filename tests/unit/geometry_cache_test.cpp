@@ -11,6 +11,7 @@
 
 #include "eigengrasp/core/content_hash.hpp"
 #include "eigengrasp/core/files.hpp"
+#include "eigengrasp/geometry/ball_cover.hpp"
 #include "eigengrasp/geometry/preparation_cache.hpp"
 #include "support/gripper.hpp"
 #include "support/solid_shapes.hpp"
@@ -103,16 +104,20 @@ TEST_F(PreparationCacheTest, GivesWhatIsMadeAnew) {
   expect_same(ask(), fresh_);
   ASSERT_EQ(files().size(), 1U);
   expect_same(ask(), fresh_);
-  const auto spheres = cover_with_inner_spheres(object_.mesh, object_.bvh, 0.002);
-  for (int i = 0; i < 2; ++i) {
-    const auto cached = PreparationCache(in_folder()).inner_spheres(object_.mesh, object_.bvh, 0.002);
+  const auto expect_equal = [](const std::vector<Sphere>& cached, const std::vector<Sphere>& spheres) {
     ASSERT_EQ(cached.size(), spheres.size());
     for (std::size_t k = 0; k < spheres.size(); ++k) {
       EXPECT_EQ(cached[k].center, spheres[k].center);
       EXPECT_EQ(cached[k].radius, spheres[k].radius);
     }
+  };
+  const auto spheres = cover_with_inner_spheres(object_.mesh, object_.bvh, 0.002);
+  for (int i = 0; i < 2; ++i) {
+    PreparationCache cache(in_folder());
+    expect_equal(cache.inner_spheres(object_.mesh, object_.bvh, 0.002), spheres);
+    expect_equal(cache.holding_spheres(object_.mesh, object_.bvh, 0.002), grow_to_hold(object_.bvh, spheres));
   }
-  EXPECT_EQ(files().size(), 2U);
+  EXPECT_EQ(files().size(), 3U);
 }
 
 TEST_F(PreparationCacheTest, OneFieldServesAllScalesButNotOtherMeshesOrOptions) {

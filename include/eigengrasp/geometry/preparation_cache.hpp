@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -39,10 +40,13 @@ class PreparationCache {
   DistanceField field(const TriangleMesh& mesh, const MeshBvh& bvh, const DistanceFieldOptions& options);
   /// As cover_with_inner_spheres.
   std::vector<Sphere> inner_spheres(const TriangleMesh& mesh, const MeshBvh& bvh, double tolerance);
+  /// These spheres as they are after grow_to_hold.
+  std::vector<Sphere> holding_spheres(const TriangleMesh& mesh, const MeshBvh& bvh, double tolerance);
 
  private:
   DistanceField field_of(const std::string& content_key, const MeshBvh& bvh,
                          const DistanceFieldOptions& options);
+  std::vector<Sphere> spheres_of(const std::string& key, const std::function<std::vector<Sphere>()>& make);
   std::filesystem::path file_of(const std::string& key) const;
   std::optional<std::string> read(const std::string& key) const;
   void write(const std::string& key, const std::string& payload);

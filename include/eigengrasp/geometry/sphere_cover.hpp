@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The eigengrasp authors
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "eigengrasp/geometry/mesh_bvh.hpp"
@@ -42,6 +43,9 @@ struct SphereGroup {
 /// Orders spheres so that neighbours stand together, in groups of at most group_size, by halving along the
 /// longest side.
 std::vector<SphereGroup> group_spheres(std::vector<Sphere>& spheres, int group_size);
+
+/// A ball that holds all spheres, about the middle of their box.
+Sphere bounding_sphere(std::span<const Sphere> spheres);
 
 /// A small ball that holds all points (Ritter 1990; at most some per cent larger than the smallest).
 Sphere bounding_sphere(const std::vector<Vec3>& points);

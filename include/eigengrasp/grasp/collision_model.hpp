@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "eigengrasp/geometry/ball_cover.hpp"
 #include "eigengrasp/geometry/distance_field.hpp"
 #include "eigengrasp/geometry/preparation_cache.hpp"
 #include "eigengrasp/geometry/sphere_cover.hpp"
@@ -27,6 +28,7 @@ struct HandSurfaces {
     MeshBvh bvh;
     std::vector<Sphere> inner_spheres;  ///< in the link frame, ordered by group
     std::vector<SphereGroup> groups;    ///< of the inner spheres
+    BallCover cover;                    ///< these grown until they hold the whole mesh
     Sphere bound;                       ///< of the whole mesh
     DistanceField field;                ///< in the link frame, near the link
     bool empty() const { return bvh.empty(); }

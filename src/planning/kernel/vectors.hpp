@@ -2,36 +2,11 @@
 // SPDX-FileCopyrightText: The eigengrasp authors
 #pragma once
 
+#include "core/lane_vectors.hpp"
 #include "planning/kernel/program.hpp"
 
-/// Points, motions, sine and cosine in lanes.
+/// Motions, sine and cosine in lanes.
 namespace eigengrasp::kernel {
-
-template <class B>
-struct Vector {
-  Floats<B> x, y, z;
-};
-
-template <class B>
-EIGENGRASP_LANES_INLINE Vector<B> operator+(const Vector<B>& a, const Vector<B>& b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-template <class B>
-EIGENGRASP_LANES_INLINE Vector<B> operator-(const Vector<B>& a, const Vector<B>& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-template <class B>
-EIGENGRASP_LANES_INLINE Vector<B> operator*(const Floats<B>& s, const Vector<B>& a) {
-  return {s * a.x, s * a.y, s * a.z};
-}
-template <class B>
-EIGENGRASP_LANES_INLINE Floats<B> dot(const Vector<B>& a, const Vector<B>& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-template <class B>
-EIGENGRASP_LANES_INLINE Vector<B> splat(const float* p) {
-  return {Floats<B>(p[0]), Floats<B>(p[1]), Floats<B>(p[2])};
-}
 
 template <class B>
 struct Motion {
