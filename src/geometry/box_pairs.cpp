@@ -43,11 +43,14 @@ double reach(const MeshBvh& bvh) {
 }  // namespace
 
 BoxPairs::BoxPairs(const MeshBvh& a, const MeshBvh& b, const Pose& X_AB)
-    : a_(a), b_(b), X_AB_(X_AB), functions_(chosen_functions()) {
+    : b_(b), X_AB_(X_AB), functions_(chosen_functions()) {
   for (int r = 0; r < 3; ++r) {
     for (int c = 0; c < 3; ++c) place_.rotation[r][c] = static_cast<float>(X_AB.linear()(r, c));
     place_.origin[r] = static_cast<float>(X_AB.translation()[r]);
   }
+  static_assert(sizeof(MeshBvh::OrientedBox) == box_kernel::box_stride * sizeof(float));
+  pairs_.boxes_a = &a.oriented_box(0).rows[0][0];
+  pairs_.boxes_b = &b.oriented_box(0).rows[0][0];
   place_.rounding = static_cast<float>(4e-6 * (reach(a) + reach(b) + X_AB.translation().norm()));
 }
 

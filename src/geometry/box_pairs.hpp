@@ -14,7 +14,7 @@ class BoxPairs {
  public:
   static constexpr int most = kernel::n_lanes;
 
-  /// b is posed in the frame of a.
+  /// b is posed in the frame of a. @pre neither is empty
   BoxPairs(const MeshBvh& a, const MeshBvh& b, const Pose& X_AB);
   BoxPairs(const BoxPairs&) = delete;
   BoxPairs& operator=(const BoxPairs&) = delete;
@@ -26,8 +26,8 @@ class BoxPairs {
   int size() const { return n_; }
   /// @pre size() < most
   void add(int node_a, int node_b) {
-    copy(a_.oriented_box(node_a), pairs_.a);
-    copy(b_.oriented_box(node_b), pairs_.b);
+    pairs_.a[n_] = node_a;
+    pairs_.b[n_] = node_b;
     ++n_;
   }
 
@@ -53,15 +53,6 @@ class BoxPairs {
   }
 
  private:
-  void copy(const MeshBvh::OrientedBox& box, float (*rows)[kernel::n_lanes]) const {
-    for (int r = 0; r < 3; ++r) {
-      for (int k = 0; k < 3; ++k) rows[3 * r + k][n_] = box.rows[r][k];
-      rows[9 + r][n_] = box.half[r];
-      rows[12 + r][n_] = box.center[r];
-    }
-  }
-
-  const MeshBvh& a_;
   const MeshBvh& b_;
   const Pose& X_AB_;
   const box_kernel::Functions& functions_;

@@ -106,13 +106,22 @@ TEST(BoxPairs, AllInstructionSetsGiveTheSameBits) {
       }
       j.spin = 1.0f;
     }
+    constexpr int n_boxes = 40;
+    std::vector<float> boxes[2];
+    for (auto& of : boxes)
+      for (int k = 0; k < n_boxes * box_kernel::box_stride; ++k) {
+        const int place = k % box_kernel::box_stride;
+        of.push_back(static_cast<float>(place < 12   ? random.uniform(-1.0, 1.0)
+                                        : place < 16 ? random.uniform(0.0, 0.01)
+                                                     : random.uniform(-0.1, 0.1)));
+      }
     box_kernel::Pairs pairs{};
-    for (auto* rows : {pairs.a, pairs.b})
-      for (int row = 0; row < box_kernel::n_box_rows; ++row)
-        for (int lane = 0; lane < kernel::n_lanes; ++lane)
-          rows[row][lane] = static_cast<float>(row < 9    ? random.uniform(-1.0, 1.0)
-                                               : row < 12 ? random.uniform(0.0, 0.01)
-                                                          : random.uniform(-0.1, 0.1));
+    pairs.boxes_a = boxes[0].data();
+    pairs.boxes_b = boxes[1].data();
+    for (int lane = 0; lane < kernel::n_lanes; ++lane) {
+      pairs.a[lane] = static_cast<int>(random.uniform(0.0, n_boxes));
+      pairs.b[lane] = static_cast<int>(random.uniform(0.0, n_boxes));
+    }
     const box_kernel::Motion motion{joints, i % 3, 3, 0.00005f, 0.2f, 0.1f};
     box_kernel::Pairs expected = pairs;
     box_kernel::baseline_functions.times(place, motion, expected);

@@ -34,14 +34,17 @@ struct Motion {
   float outlook;       ///< [s] for such times the axis is chosen that tells the most
 };
 
-/// Rows 3 r + k: component r of axis k; 9 to 11: half sizes; 12 to 14: centres.
-inline constexpr int n_box_rows = 15;
+/// Floats of a box: component r of axis k at 4 r + k, half sizes from 12 and the centre from 16 on.
+inline constexpr int box_stride = 20;
 
+/// Boxes of the two surfaces, and numbers of sixteen pairs of them. All numbers are of boxes that there are.
 struct alignas(64) Pairs {
-  float a[n_box_rows][n_lanes];
-  float b[n_box_rows][n_lanes];  ///< in b's own frame
-  float gap[n_lanes];            ///< out: lower bound of the distance [m]
-  float time[n_lanes];           ///< out: for which they are sure to stay farther apart than the margin [s]
+  std::int32_t a[n_lanes];
+  std::int32_t b[n_lanes];
+  float gap[n_lanes];   ///< out: lower bound of the distance [m]
+  float time[n_lanes];  ///< out: for which they are sure to stay farther apart than the margin [s]
+  const float* boxes_a;
+  const float* boxes_b;  ///< in b's own frame
 };
 
 /// All variants give the same bits.

@@ -18,12 +18,13 @@ struct Boxes {
 };
 
 template <class B>
-EIGENGRASP_LANES_INLINE Boxes<B> loaded(const float (*rows)[n_lanes]) {
+EIGENGRASP_LANES_INLINE Boxes<B> loaded(const float* boxes, const std::int32_t* numbers) {
+  const kernel::Ints<B> at = kernel::load_ints<B>(numbers) * kernel::Ints<B>(box_stride);
   Boxes<B> box;
   for (int r = 0; r < 3; ++r) {
-    for (int k = 0; k < 3; ++k) box.row[r][k] = kernel::load<B>(rows[3 * r + k]);
-    box.half[r] = kernel::load<B>(rows[9 + r]);
-    box.center[r] = kernel::load<B>(rows[12 + r]);
+    for (int k = 0; k < 3; ++k) box.row[r][k] = kernel::gather<B>(boxes + 4 * r + k, at);
+    box.half[r] = kernel::gather<B>(boxes + 12 + r, at);
+    box.center[r] = kernel::gather<B>(boxes + 16 + r, at);
   }
   return box;
 }
@@ -139,13 +140,13 @@ EIGENGRASP_LANES_INLINE Floats<B> time_of(const Gaps<B>& gaps, const Floats<B>* 
 
 template <class B>
 void gaps(const Placement& place, Pairs& pairs) {
-  store(pairs.gap, gaps_of(loaded<B>(pairs.a), posed(loaded<B>(pairs.b), place)).largest);
+  store(pairs.gap, gaps_of(loaded<B>(pairs.boxes_a, pairs.a), posed(loaded<B>(pairs.boxes_b, pairs.b), place)).largest);
 }
 
 template <class B>
 void times(const Placement& place, const Motion& motion, Pairs& pairs) {
-  const Boxes<B> a = loaded<B>(pairs.a);
-  const Boxes<B> b = posed(loaded<B>(pairs.b), place);
+  const Boxes<B> a = loaded<B>(pairs.boxes_a, pairs.a);
+  const Boxes<B> b = posed(loaded<B>(pairs.boxes_b, pairs.b), place);
   const Gaps<B> g = gaps_of(a, b);
   store(pairs.gap, g.largest);
   const Floats<B> zero(0.0f);
