@@ -144,7 +144,7 @@ void OnlinePlanner::Work::test() {
       epsilons_now_.push_back(grasp && grasp->form_closure ? grasp->epsilon : -1.0);
       if (epsilons_now_.size() > tests_of_now) epsilons_now_.pop_front();
     } else {
-      const TestedPreGrasp tested = test_pregrasp(*model_, energy_, std::move(*candidate), palm_approach);
+      const TestedPreGrasp tested = test_pregrasp(*model_, energy_, std::move(*candidate), {palm_approach});
       const std::scoped_lock lock(mutex_);
       ++rates_.candidates;
       candidate_rate_.add(1, watch.lap());
@@ -172,7 +172,7 @@ std::optional<Grasp> OnlinePlanner::Work::grasp_now(const Pose& X_OH,
     p.X_OH = X_OH;
     p.dofs = postures[i];
     p.amplitudes = scene().hand->eigengrasps.project(p.dofs);
-    const TestedPreGrasp tested = test_pregrasp(*model_, energy_, std::move(p), 0.0);
+    const TestedPreGrasp tested = test_pregrasp(*model_, energy_, std::move(p), {});
     const Grasp& g = tested.result.grasp;
     if (tested.result.tests == 0 || g.contacts.empty()) continue;
     if (!best || (g.form_closure && g.epsilon > best->epsilon)) best = g;

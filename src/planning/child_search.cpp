@@ -71,12 +71,12 @@ std::optional<PreGrasp> ChildSearch::search_about(const PreGrasp& pregrasp, std:
 ChildResult ChildSearch::refine(const PreGrasp& pregrasp, std::uint64_t number, bool anneals,
                                 int worker) const {
   ChildResult result;
-  result.tested = test_pregrasp(parent_.model, parent_.energy, pregrasp, palm_approach);
+  result.tested = test_pregrasp(parent_.model, parent_.energy, pregrasp, {palm_approach});
   result.tests = result.tested.result.tests;
   if (result.tested.result.grasp.form_closure || !anneals || budget_.ended()) return result;
   const std::optional<PreGrasp> better = search_about(pregrasp, number, worker, result.states);
   if (!better) return result;
-  TestedPreGrasp again = test_pregrasp(parent_.model, parent_.energy, *better, palm_approach);
+  TestedPreGrasp again = test_pregrasp(parent_.model, parent_.energy, *better, {palm_approach});
   result.tests += again.result.tests;
   if (again.result.grasp.form_closure || result.tested.result.tests == 0) result.tested = std::move(again);
   return result;

@@ -9,7 +9,7 @@
 namespace eigengrasp {
 
 namespace {
-constexpr double approach = 0.030;  ///< [m] the palm may move up to the object before the fingers close
+constexpr double palm_travel = 0.030;  ///< [m] the palm may move up to the object before the fingers close
 }
 
 Harvest::Harvest(const Annealer::Task& task, const PlanOptions& options)
@@ -34,13 +34,33 @@ void Harvest::gather(std::vector<Annealer>& annealers, std::size_t most) {
     if (is_new(p)) seen_.push_back(p);
   }
   std::vector<PreGrasp> chosen(seen_.begin() + static_cast<std::ptrdiff_t>(n_seen), seen_.end());
-  for (TestedPreGrasp& t : test_all(task_, std::move(chosen), options_, approach)) {
+  const PalmMove palm = palm_move();
+  for (TestedPreGrasp& t : test_all(task_, std::move(chosen), options_, palm)) {
+    count(t, palm.first);
     if (t.result.grasp.form_closure) closed_.push_back(tested_.size());
     tested_.push_back(std::move(t));
   }
   std::stable_sort(closed_.begin(), closed_.end(), [&](std::size_t a, std::size_t b) {
     return tested_[a].result.grasp.epsilon > tested_[b].result.grasp.epsilon;
   });
+}
+
+/// A hand that seldom closes where it stands, as one of three fingers, need not be closed twice.
+PalmMove Harvest::palm_move() const {
+  return {palm_travel, after_move_.share() > 2.0 * in_place_.share()};
+}
+
+void Harvest::count(const TestedPreGrasp& tested, bool palm_first) {
+  const bool closes = tested.result.grasp.form_closure;
+  const bool closes_in_place = closes && !tested.palm_moved;
+  if (!palm_first || !tested.palm_moved) {
+    ++in_place_.tried;
+    in_place_.closed += closes_in_place ? 1 : 0;
+  }
+  if (tested.palm_moved || (!palm_first && !closes_in_place)) {
+    ++after_move_.tried;
+    after_move_.closed += closes && tested.palm_moved ? 1 : 0;
+  }
 }
 
 const PreGrasp& Harvest::draw_closed(double u) const {

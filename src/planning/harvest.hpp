@@ -27,6 +27,8 @@ class Harvest {
 
  private:
   bool is_new(const PreGrasp& p) const;
+  PalmMove palm_move() const;
+  void count(const TestedPreGrasp& tested, bool palm_first);
 
   const Annealer::Task& task_;
   const PlanOptions& options_;
@@ -34,6 +36,13 @@ class Harvest {
   std::vector<PreGrasp> seen_;  ///< as they came from the annealers
   std::vector<TestedPreGrasp> tested_;
   std::vector<std::size_t> closed_;  ///< of tested_, by falling epsilon
+  /// How many pre-grasps were closed in a way, and how many of them to form closure.
+  struct Tally {
+    int tried = 0;
+    int closed = 0;
+    double share() const { return tried > 0 ? static_cast<double>(closed) / tried : 0.0; }
+  };
+  Tally in_place_, after_move_;
 };
 
 }  // namespace eigengrasp

@@ -33,7 +33,7 @@ SearchResult search_as_the_paper(const Annealer::Task& task, const PlanOptions& 
   PreGraspList best(wanted, distinctness_of(hand));
   for (std::size_t i = 0; i < pool.size(); ++i)
     if (legal[i]) best.add(pool[i]);
-  result.kept = test_all(task, best.items(), options, 0.0);
+  result.kept = test_all(task, best.items(), options, {});
   result.close_seconds = watch.lap();
   count_outcomes(result.kept, result.candidates);
   result.closed_on_the_way = result.candidates.tested;

@@ -76,7 +76,7 @@ TestedPreGrasp Rating::test_at(const Pose& X_OH, const VecX& dofs) const {
   p.X_OH = X_OH;
   p.dofs = dofs;
   p.amplitudes = postures_.project(dofs);
-  return test_pregrasp(model_, energy_, std::move(p), 0.0);
+  return test_pregrasp(model_, energy_, std::move(p), {});
 }
 
 Tried Rating::try_one(const GivenPreGrasp& given) const {

@@ -36,25 +36,31 @@ TestedPreGrasp test_after_approach(const CollisionModel& model, const GraspEnerg
   const PalmApproach approach = approach_until_contact(model, pregrasp.X_OH, joints, most_travel);
   if (!approach.touches || approach.travel < least_travel) return {};
   pregrasp.X_OH = approach.X_OH;
-  return test_in_place(model, energy, std::move(pregrasp));
+  TestedPreGrasp tested = test_in_place(model, energy, std::move(pregrasp));
+  tested.palm_moved = true;
+  return tested;
 }
 
 }  // namespace
 
 TestedPreGrasp test_pregrasp(const CollisionModel& model, const GraspEnergy& energy, PreGrasp pregrasp,
-                             double approach) {
+                             const PalmMove& palm) {
+  if (palm.first) {
+    TestedPreGrasp nearer = test_after_approach(model, energy, pregrasp, palm.most);
+    return nearer.result.tests > 0 ? nearer : test_in_place(model, energy, std::move(pregrasp));
+  }
   TestedPreGrasp tested = test_in_place(model, energy, std::move(pregrasp));
-  if (tested.result.tests == 0 || tested.result.grasp.form_closure || approach <= 0.0) return tested;
-  TestedPreGrasp nearer = test_after_approach(model, energy, tested.pregrasp, approach);
+  if (tested.result.tests == 0 || tested.result.grasp.form_closure || palm.most <= 0.0) return tested;
+  TestedPreGrasp nearer = test_after_approach(model, energy, tested.pregrasp, palm.most);
   return nearer.result.grasp.form_closure ? nearer : tested;
 }
 
 std::vector<TestedPreGrasp> test_all(const Annealer::Task& task, std::vector<PreGrasp> pregrasps,
-                                     const PlanOptions& options, double approach) {
+                                     const PlanOptions& options, const PalmMove& palm) {
   std::vector<TestedPreGrasp> tested(pregrasps.size());
   parallel_for(pregrasps.size(), options.threads, [&](std::size_t i, int) {
     if (options.stop && options.stop->stop_requested()) return;
-    tested[i] = test_pregrasp(task.model, task.energy, std::move(pregrasps[i]), approach);
+    tested[i] = test_pregrasp(task.model, task.energy, std::move(pregrasps[i]), palm);
   });
   std::erase_if(tested, [](const TestedPreGrasp& t) { return t.result.tests == 0; });
   return tested;

@@ -14,6 +14,7 @@ namespace eigengrasp {
 struct TestedPreGrasp {
   PreGrasp pregrasp;  ///< legal by exact meshes
   CandidateResult result;
+  bool palm_moved = false;  ///< up to the object, before the fingers closed
 };
 
 /// What a search found.
@@ -43,17 +44,22 @@ SearchResult search_with_children(const Annealer::Task& task, const PlanOptions&
 /// How far apart two pre-grasps of a hand must be.
 Distinctness distinctness_of(const HandModel& hand);
 
+/// Whether, and when, the palm moves up to the object before the fingers close.
+struct PalmMove {
+  double most = 0.0;  ///< [m]; 0: not at all
+  /// False: where the pre-grasp does not close to form closure as it stands. True: at once, and as it stands
+  /// only where the palm does not come to touch.
+  bool first = false;
+};
+
 /// Closes one pre-grasp, after making it legal by exact meshes; no test (tests == 0) where it cannot be.
-/// @param approach see test_all
 TestedPreGrasp test_pregrasp(const CollisionModel& model, const GraspEnergy& energy, PreGrasp pregrasp,
-                             double approach);
+                             const PalmMove& palm);
 
 /// Closes pre-grasps on all threads, after making them legal by exact meshes; those that cannot be are left
 /// out.
-/// @param approach where a pre-grasp does not close to form closure, the palm moves up to the object by at
-/// most this [m] and the fingers close again; 0: no second try
 std::vector<TestedPreGrasp> test_all(const Annealer::Task& task, std::vector<PreGrasp> pregrasps,
-                                     const PlanOptions& options, double approach);
+                                     const PlanOptions& options, const PalmMove& palm);
 
 /// Adds up what became of candidates.
 void count_outcomes(std::span<const TestedPreGrasp> tested, CandidateCounts& counts);

@@ -33,8 +33,8 @@ class BallCover {
   double free_time(const DistanceField& field, const Pose& X_FB, const SurfaceMotion& motion, double margin,
                    double enough, double too_little = 0.0) const;
 
-  /// Whether all of the surface is sure to be farther than `distance` [m] from the surface of the field. False
-  /// says nothing. Cost and parameters as above.
+  /// Whether all of the surface is sure to be farther than `distance` [m] from the surface of the field.
+  /// False says nothing. Cost and parameters as above.
   bool keeps_away(const DistanceField& field, const Pose& X_FB, double distance) const {
     constexpr double any = 1e-12;  // [s] what is at rest stays where it is
     return free_time(field, X_FB, {}, distance, any, any) > 0.0;

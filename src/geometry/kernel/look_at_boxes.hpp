@@ -140,7 +140,8 @@ EIGENGRASP_LANES_INLINE Floats<B> time_of(const Gaps<B>& gaps, const Floats<B>* 
 
 template <class B>
 void gaps(const Placement& place, Pairs& pairs) {
-  store(pairs.gap, gaps_of(loaded<B>(pairs.boxes_a, pairs.a), posed(loaded<B>(pairs.boxes_b, pairs.b), place)).largest);
+  store(pairs.gap,
+        gaps_of(loaded<B>(pairs.boxes_a, pairs.a), posed(loaded<B>(pairs.boxes_b, pairs.b), place)).largest);
 }
 
 template <class B>
