@@ -52,6 +52,8 @@ class RunBench {
   RunBench(const Scene& scene, const PerformanceOptions& options, int threads, bool judge_all = false)
       : scene_(scene), options_(options), threads_(threads), judge_all_(judge_all) {}
 
+  int threads() const { return threads_; }
+
   /// The next seed. @return of the run
   PlanResult run(std::shared_ptr<PreparationCache> cache) {
     PlanOptions plan = plan_options(options_, threads_, run_.size() + 1);
@@ -82,24 +84,74 @@ class RunBench {
   std::int64_t legal_ = 0;
 };
 
-/// Runs the planner until the time is up. @param first the result with seed 1
-ThreadedPerformance measure_runs(const Scene& scene, const PerformanceOptions& options, int threads,
-                                 const TemporaryFolder& folder, ScenePerformance& out, PlanResult& first) {
-  RunBench bench(scene, options, threads);
-  first = bench.run(nullptr);
-  bench.run(cache_in(folder));  // fills the folder
-  std::vector<double> cached;
-  repeat(options.seconds, options.stop,
-         [&] { cached.push_back(bench.run(cache_in(folder)).timings.prepare); });
-  if (threads == 1) {
-    out.runs = bench.runs();
-    RunBench judged(scene, options, 1, true);
-    const auto cache = cache_in(folder);
-    repeat(options.seconds, options.stop, [&] { judged.run(cache); });
-    out.legal_share = judged.legal_share();
-    out.judged_per_second = judged.median_rate();
+/// Runs of the planner, and of the paper's search, on so many threads.
+class ThreadBench {
+ public:
+  ThreadBench(const Scene& scene, const PerformanceOptions& options, const PerformanceOptions& as_the_paper,
+              int threads)
+      : ours_(scene, options, threads), paper_(scene, as_the_paper, threads) {}
+
+  /// All made anew. @return of the run
+  PlanResult run_first() {
+    PlanResult first = ours_.run(nullptr);
+    prepare_ = first.timings.prepare;
+    return first;
   }
-  return {threads, first.timings.prepare, 0.0, median(cached), bench.median_run(), bench.median_rate(), 0.0};
+  void run(const TemporaryFolder& folder) {
+    cached_.push_back(ours_.run(cache_in(folder)).timings.prepare);
+    paper_.run(cache_in(folder));
+  }
+
+  int runs() const { return ours_.runs(); }
+  ThreadedPerformance figures() const {
+    ThreadedPerformance by;
+    by.threads = ours_.threads();
+    by.prepare = prepare_;
+    by.prepare_cached = median(cached_);
+    by.run = ours_.median_run();
+    by.paper_run = paper_.median_run();
+    by.states_per_second = ours_.median_rate();
+    return by;
+  }
+
+ private:
+  RunBench ours_, paper_;
+  double prepare_ = 0.0;
+  std::vector<double> cached_;
+};
+
+/// Runs on one thread and on all take turns until the time is up. @return the result with seed 1
+PlanResult measure_runs(const Scene& scene, const PerformanceOptions& options, const TemporaryFolder& folder,
+                        ScenePerformance& out) {
+  PerformanceOptions as_the_paper = options;
+  as_the_paper.search = SearchKind::paper;
+  const int all = options.threads > 0 ? options.threads : hardware_threads();
+  std::vector<ThreadBench> benches;
+  benches.emplace_back(scene, options, as_the_paper, 1);
+  if (all > 1) benches.emplace_back(scene, options, as_the_paper, all);
+  PlanResult first;
+  for (ThreadBench& bench : benches) {
+    reset_peak_memory();
+    first = bench.run_first();
+  }
+  benches.front().run(folder);  // fills the folder
+  repeat(options.seconds * static_cast<double>(benches.size()), options.stop, [&] {
+    for (ThreadBench& bench : benches) bench.run(folder);
+  });
+  for (const ThreadBench& bench : benches) out.by_threads.push_back(bench.figures());
+  out.peak_memory = peak_memory();
+  out.runs = benches.front().runs();
+  return first;
+}
+
+/// How many states a second are judged to the end, and how many of them are legal.
+void measure_judging(const Scene& scene, const PerformanceOptions& options, const TemporaryFolder& folder,
+                     ScenePerformance& out) {
+  RunBench judged(scene, options, 1, true);
+  const auto cache = cache_in(folder);
+  repeat(options.seconds, options.stop, [&] { judged.run(cache); });
+  out.legal_share = judged.legal_share();
+  out.judged_per_second = judged.median_rate();
 }
 
 /// Tests the pre-grasps that a search found, step by step.
@@ -199,15 +251,10 @@ ScenePerformance measure_performance(const Scene& scene, const PerformanceOption
   ScenePerformance out;
   out.hand = scene.hand->name;
   out.object = scene.object->name;
-  const int all = options.threads > 0 ? options.threads : hardware_threads();
   const TemporaryFolder folder("bench");
-  PlanResult first;
-  out.by_threads.push_back(measure_runs(scene, options, 1, folder, out, first));
-  if (all > 1) {
-    reset_peak_memory();
-    out.by_threads.push_back(measure_runs(scene, options, all, folder, out, first));
-  }
-  out.peak_memory = peak_memory();
+  const PlanResult first = measure_runs(scene, options, folder, out);
+  out.closed_on_the_way = first.closed_on_the_way;
+  measure_judging(scene, options, folder, out);
   measure_candidates(scene, options, first.grasps, out);
   out.triangles = static_cast<std::int64_t>(scene.object->mesh.triangles.size());
   for (ThreadedPerformance& by : out.by_threads) {

@@ -15,6 +15,7 @@ OrderedJson scene_json(const ScenePerformance& scene) {
                    {"legal_share", scene.legal_share},
                    {"judged_states_per_second", scene.judged_per_second},
                    {"candidates", scene.candidates},
+                   {"closed_on_the_way", scene.closed_on_the_way},
                    {"contacts_mean", scene.contacts},
                    {"microseconds",
                     {{"close", 1e6 * scene.steps.close},
@@ -30,7 +31,8 @@ OrderedJson scene_json(const ScenePerformance& scene) {
                                {"prepare_seconds", by.prepare},
                                {"prepare_object_seconds", by.prepare_object},
                                {"prepare_cached_seconds", by.prepare_cached},
-                               {"run_seconds", by.run}});
+                               {"run_seconds", by.run},
+                               {"paper_run_seconds", by.paper_run}});
   return json;
 }
 

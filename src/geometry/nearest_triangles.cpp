@@ -48,6 +48,7 @@ std::array<int, most_points> find_nearest_triangles(const MeshBvh& bvh, const Ve
     p.y[i] = static_cast<float>(d.y());
     p.z[i] = static_cast<float>(d.z());
     p.distance2[i] = static_cast<float>(max_distance * max_distance);
+    p.height2[i] = -1.0F;
     p.triangle[i] = -1;
   }
   int stack[128];  // the depth of a hierarchy is below log2 of the triangle count + 1

@@ -45,9 +45,9 @@ HandSurfaces::HandSurfaces(const HandModel& hand, double cover_tolerance, int th
     if (cover_tolerance <= 0.0) return;
     links[i].inner_spheres = cache != nullptr ? cache->inner_spheres(mesh, links[i].bvh, cover_tolerance)
                                               : cover_with_inner_spheres(mesh, links[i].bvh, cover_tolerance);
-    links[i].groups = group_spheres(links[i].inner_spheres, 8);
     links[i].cover = BallCover(cache != nullptr ? cache->holding_spheres(mesh, links[i].bvh, cover_tolerance)
                                                 : grow_to_hold(links[i].bvh, links[i].inner_spheres));
+    links[i].groups = group_spheres(links[i].inner_spheres, 8);
     DistanceFieldOptions field;
     field.cell = 0.0015;
     field.margin = 0.008;

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The eigengrasp authors
 #include "planning/candidate_test.hpp"
 
+#include <cmath>
+
 #include "eigengrasp/grasp/contact_finder.hpp"
 #include "eigengrasp/grasp/named_joints.hpp"
 #include "eigengrasp/kinematics/forward_kinematics.hpp"
@@ -57,15 +59,28 @@ void add_volume(const GraspEnergy& energy, Grasp& grasp) {
 
 namespace {
 
-/// The pose as a file brings it back, which keeps a quaternion: closing ends at the same place to the last
-/// bit only from the same bits. A few rounds end where neither changes any more.
-Pose as_written(Pose X) {
-  for (int i = 0; i < 8; ++i) {
+/// Writes and reads the pose until it comes back with the same bits. False where it does not soon.
+bool settles(Pose& X) {
+  for (int i = 0; i < 16; ++i) {
     const Pose again = make_pose(orientation(X), X.translation());
-    if (again.matrix() == X.matrix()) break;
+    if (again.matrix() == X.matrix()) return true;
     X = again;
   }
-  return X;
+  return false;
+}
+
+/// A pose next to X that a file, which keeps a quaternion, brings back with the same bits: only from the same
+/// bits closing ends at the same place. Of eight poses one goes round in circles; it is begun anew from a
+/// quaternion rounded to 44 bits, then 43, and so on.
+Pose as_written(const Pose& X) {
+  Pose written = X;
+  for (int bits = 44; bits > 24 && !settles(written); --bits) {
+    const double unit = std::ldexp(1.0, -bits);
+    Eigen::Quaterniond q = orientation(X);
+    q.coeffs() = (q.coeffs() / unit).array().round().matrix() * unit;
+    written = make_pose(q, X.translation());
+  }
+  return written;
 }
 
 }  // namespace

@@ -123,10 +123,12 @@ PerformanceReport make_report() {
   scene.object = "glass";
   scene.paper_hand = PaperHand::human;
   scene.candidates = 20;
+  scene.closed_on_the_way = 140;
   scene.legal_share = 0.25;
   scene.judged_per_second = 2.1e6;
   scene.steps = {150e-6, 40e-6, 5e-6, 20e-6};
-  scene.by_threads = {{1, 0.3, 0.25, 0.02, 0.08, 2.5e6, 4762.0}, {2, 0.2, 0.15, 0.01, 0.05, 4.875e6, 9000.0}};
+  scene.by_threads = {{1, 0.3, 0.25, 0.02, 0.08, 0.09, 2.5e6, 4762.0},
+                      {2, 0.2, 0.15, 0.01, 0.05, 0.06, 4.875e6, 9000.0}};
   scene.peak_memory = 150'000'000;
   return {record, {}, {0.1e-3, 0.01e-3}, {scene}};
 }
@@ -141,7 +143,11 @@ TEST(Performance, PageComparesWithGraspit) {
       << page;
   EXPECT_NE(page.find("| 50 ms | 0.25 ms | 0.21 ms | 238 x | met |"), std::string::npos);
   EXPECT_NE(page.find("| 1.9 x | 1.95 x |"), std::string::npos);
-  EXPECT_NE(page.find("2.50 M | 25 % | 4762 | 150 | 40 | 5.0 | 20.0 | 80 | 300 | 250 | 20 | 150 |"),
+  EXPECT_NE(page.find("2.50 M | 25 % | 4762 | 150 | 40 | 5.0 | 20.0 | 80 | 90 | 300 | 250 | 20 | 150 |"),
+            std::string::npos);
+  EXPECT_NE(page.find("best 20 closed and rated (the paper's search) | 20-50 s | 0.1 s | 0.090 s |"),
+            std::string::npos);
+  EXPECT_NE(page.find("140 closed on the way, best 20 kept | 20-50 s | 0.1 s | 0.080 s |"),
             std::string::npos);
   EXPECT_EQ(page.find("not met"), std::string::npos);
   PerformanceReport slow = make_report();

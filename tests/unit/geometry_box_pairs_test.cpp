@@ -110,10 +110,10 @@ TEST(BoxPairs, AllInstructionSetsGiveTheSameBits) {
     std::vector<float> boxes[2];
     for (auto& of : boxes)
       for (int k = 0; k < n_boxes * box_kernel::box_stride; ++k) {
-        const int place = k % box_kernel::box_stride;
-        of.push_back(static_cast<float>(place < 12   ? random.uniform(-1.0, 1.0)
-                                        : place < 16 ? random.uniform(0.0, 0.01)
-                                                     : random.uniform(-0.1, 0.1)));
+        const int at = k % box_kernel::box_stride;
+        of.push_back(static_cast<float>(at < 12   ? random.uniform(-1.0, 1.0)
+                                        : at < 16 ? random.uniform(0.0, 0.01)
+                                                  : random.uniform(-0.1, 0.1)));
       }
     box_kernel::Pairs pairs{};
     pairs.boxes_a = boxes[0].data();

@@ -37,6 +37,7 @@ struct ThreadedPerformance {
   double prepare_object = 0.0;         ///< [s] of the object alone, anew
   double prepare_cached = 0.0;         ///< [s] with fields and spheres from the cache on disk
   double run = 0.0;                    ///< [s] search, closing, rating and check, without preparation
+  double paper_run = 0.0;              ///< [s] the same of the paper's search, which closes the best alone
   double states_per_second = 0.0;      ///< of the search: drawn, tested, and rated where legal
   double candidates_per_second = 0.0;  ///< closed, contacts found, epsilon
 };
@@ -51,6 +52,7 @@ struct ScenePerformance {
   double legal_share = 0.0;             ///< of the states of the search, all of them judged
   double judged_per_second = 0.0;       ///< as states_per_second on one thread, with PlanOptions::judge_all
   int candidates = 0;                   ///< pre-grasps of the first run
+  int closed_on_the_way = 0;            ///< pre-grasps in the first run, of which those are the best
   double contacts = 0.0;                ///< mean of a closed candidate
   CandidateSteps steps;
   std::vector<ThreadedPerformance> by_threads;  ///< one thread, then all
@@ -59,7 +61,8 @@ struct ScenePerformance {
 
 /// Runs the planner with the seeds 1, 2, ... (the first without a cache, the others with one in a temporary
 /// folder) and measures; the states are those that its search draws, the
-/// candidates the pre-grasps that it finds. A stop flag ends it early: what was measured until then counts.
+/// candidates the pre-grasps that it finds. Runs on one thread and on all take turns, so that what else the
+/// machine does hits both. A stop flag ends it early: what was measured until then counts.
 /// @throws Error where the planner's options do not suit the hand
 ScenePerformance measure_performance(const Scene& scene, const PerformanceOptions& options);
 

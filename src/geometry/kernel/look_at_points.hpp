@@ -18,6 +18,10 @@ EIGENGRASP_LANES_INLINE Vector<B> load_points(const Points& p) {
   return {kernel::load<B>(p.x), kernel::load<B>(p.y), kernel::load<B>(p.z)};
 }
 
+// Distances that differ by less are of triangles with a corner or a side in common.
+constexpr float same = 1e-5f;      // relative to the square
+constexpr float nothing = 1e-16f;  // [m^2]
+
 template <class B>
 bool reach_box(const Points& points, const float (&box)[6]) {
   using F = Floats<B>;
@@ -25,7 +29,8 @@ bool reach_box(const Points& points, const float (&box)[6]) {
   const auto outside = [&](const F& x, int k) { return max(max(F(box[k]) - x, x - F(box[3 + k])), zero); };
   const Vector<B> p = load_points<B>(points);
   const Vector<B> d{outside(p.x, 0), outside(p.y, 1), outside(p.z, 2)};
-  return bits(dot(d, d) < kernel::load<B>(points.distance2)) != 0;
+  const F most = kernel::load<B>(points.distance2) * F(1.0f + 2.0f * same) + F(nothing);
+  return bits(dot(d, d) < most) != 0;
 }
 
 /// Squared distance to the side from a along the vector to the next corner.
@@ -59,10 +64,14 @@ void meet_triangle(Points& points, const float (&corners)[9], std::int32_t numbe
   const F face = height * height / max(dot(n, n), F(1e-30f));
   const F found = select(F(0.0f) < inside, min(face, sides), sides);
   const F before = kernel::load<B>(points.distance2);
-  const Mask<B> nearer = found < before;
-  kernel::store(points.distance2, select(nearer, found, before));
+  const F height_before = kernel::load<B>(points.height2);
+  const Mask<B> nearer = found < before * F(1.0f - same) - F(nothing);
+  const Mask<B> as_near = (found < before * F(1.0f + same) + F(nothing)) & (height_before < face);
+  const Mask<B> better = nearer | as_near;
+  kernel::store(points.distance2, select(better, min(found, before), before));
+  kernel::store(points.height2, select(better, face, height_before));
   kernel::store_ints(points.triangle,
-                     select(nearer, kernel::Ints<B>(number), kernel::load_ints<B>(points.triangle)));
+                     select(better, kernel::Ints<B>(number), kernel::load_ints<B>(points.triangle)));
 }
 
 }  // namespace
