@@ -9,6 +9,7 @@
 #include "eigengrasp/grasp/contact_finder.hpp"
 #include "eigengrasp/kinematics/forward_kinematics.hpp"
 #include "eigengrasp/planning/grasp_planner.hpp"
+#include "planning/pregrasp_search.hpp"
 #include "support/parallel_gripper.hpp"
 
 namespace eigengrasp {
@@ -148,6 +149,42 @@ TEST(PlanGrasps, EveryGraspWithstandsTheExactCheck) {
     EXPECT_GE(last.form_closure, g.form_closure);
     EXPECT_TRUE(!g.form_closure || last.epsilon >= g.epsilon) << "by falling epsilon";
   }
+}
+
+TEST(TestPregrasp, ThePalmMovesBeforeOrAfterTheFirstClosingOrNotAtAll) {
+  const CollisionModel model(block_scene(), CollisionModel::Options{});
+  const GraspEnergy energy(model, quick);
+  const auto at = [](double z) {
+    PreGrasp p;
+    p.X_OH = Pose::Identity();
+    p.X_OH.translation() = Vec3(0.0, 0.0, z);
+    p.dofs = VecX::Zero(2);
+    return p;
+  };
+  const PreGrasp near = at(-0.045);  // the palm is 10 mm away
+  const PreGrasp far = at(-0.085);   // the fingertips hold the block's edge
+  const TestedPreGrasp stays = test_pregrasp(model, energy, near, {});
+  EXPECT_EQ(stays.result.tests, 1);
+  EXPECT_FALSE(stays.palm_moved);
+  const TestedPreGrasp moves = test_pregrasp(model, energy, near, {0.03, true});
+  EXPECT_TRUE(moves.palm_moved);
+  EXPECT_NEAR(moves.pregrasp.X_OH.translation().z(), -0.035, 5e-4);
+  // It moves first where that is wanted, else only where the fingers do not close as it stands.
+  EXPECT_EQ(test_pregrasp(model, energy, near, {0.03, false}).palm_moved,
+            !stays.result.grasp.form_closure && moves.result.grasp.form_closure);
+  // The palm does not come to touch.
+  EXPECT_FALSE(test_pregrasp(model, energy, far, {0.03, true}).palm_moved);
+}
+
+// One pose of eight would go round in circles for ever.
+TEST(PlanGrasps, PreGraspsComeBackFromAQuaternionWithTheSameBits) {
+  PlanOptions options = quick;
+  options.grasps = 40;
+  const PlanResult result = plan_grasps(block_scene(), options);
+  ASSERT_GT(result.grasps.size(), 20u);
+  for (const Grasp& g : result.grasps)
+    EXPECT_EQ(make_pose(orientation(g.X_OH_pregrasp), g.X_OH_pregrasp.translation()).matrix(),
+              g.X_OH_pregrasp.matrix());
 }
 
 TEST(PlanGrasps, MilestonesFallAndCountsAddUp) {
