@@ -193,11 +193,7 @@ class BlockFill {
     const Vec3 near =
         size.x() == 8 ? nearest_to(center, guess) : closest_point_on_triangle(bvh_.corners(guess), center);
     const NearnessTest test(center, radius, near);
-    if (smallest) {
-      keep_leaves(test, begin, end);
-    } else {
-      keep(test, begin, end, size.x() == 8 ? radius : 0.0);
-    }
+    keep(test, begin, end, size.x() == 8 ? radius : 0.0);
     if (smallest) {
       guess = measure_block(first, end, guess);
     } else {
@@ -222,16 +218,16 @@ class BlockFill {
 
   /// Adds the parts of [begin, end) that pass the test, opened until none is larger than `largest`.
   void keep(const NearnessTest& test, std::size_t begin, std::size_t end, double largest) {
-    for (std::size_t i = begin; i < end; ++i) {
-      open_.assign(1, parts_[i]);
-      while (!open_.empty()) {
-        const int part = open_.back();
-        open_.pop_back();
+    open_.assign(parts_.begin() + static_cast<std::ptrdiff_t>(begin),
+                 parts_.begin() + static_cast<std::ptrdiff_t>(end));
+    while (!open_.empty()) {
+      sift(test);
+      open_.clear();
+      for (const std::int32_t part : kept_) {
         const MeshBvh::Node& node = bvh_.nodes()[static_cast<std::size_t>(part)];
-        if (!test.may_hold(node.box)) continue;
         if (node.count == 0 && node.box.size().squaredNorm() > largest * largest) {
-          open_.push_back(node.left + 1);
           open_.push_back(node.left);
+          open_.push_back(node.left + 1);
         } else {
           parts_.push_back(part);
         }
@@ -239,13 +235,19 @@ class BlockFill {
     }
   }
 
-  /// The same of leaves alone.
-  void keep_leaves(const NearnessTest& test, std::size_t begin, std::size_t end) {
-    if (!test.far()) return keep(test, begin, end, 0.0);
-    parts_.resize(2 * end - begin + n_lanes);
-    const int n = functions_.keep(surface_.view(), test.in_lanes(surface_.origin), parts_.data() + begin,
-                                  static_cast<int>(end - begin), parts_.data() + end);
-    parts_.resize(end + static_cast<std::size_t>(n));
+  /// Those of open_ that pass the test, to kept_.
+  void sift(const NearnessTest& test) {
+    kept_.resize(open_.size() + n_lanes);
+    int n = 0;
+    if (test.far()) {
+      n = functions_.keep(surface_.view(), test.in_lanes(surface_.origin), open_.data(),
+                          static_cast<int>(open_.size()), kept_.data());
+    } else {
+      for (const std::int32_t part : open_)
+        if (test.may_hold(bvh_.nodes()[static_cast<std::size_t>(part)].box))
+          kept_[static_cast<std::size_t>(n++)] = part;
+    }
+    kept_.resize(static_cast<std::size_t>(n));
   }
 
   /// @return the nearest triangle of a node in the middle
@@ -295,7 +297,7 @@ class BlockFill {
   FieldGrid& grid_;
   const block_kernel::Functions& functions_ = chosen_functions();
   std::vector<std::int32_t> parts_;  ///< a stack of lists, one a level
-  std::vector<int> open_;
+  std::vector<std::int32_t> open_, kept_;
   std::vector<Lanes> scratch_;  ///< one a leaf of the smallest block
 };
 

@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::string_view magic = "eigengrasp cache";
 // To be raised whenever the same mesh and options give other values, or the files another layout.
-constexpr std::uint32_t version = 1;
+constexpr std::uint32_t version = 2;
 constexpr std::uint32_t byte_order = 0x01020304;
 constexpr const char* ending = ".cache";
 

@@ -61,10 +61,9 @@ struct alignas(64) Nodes {
 };
 
 struct Functions {
-  /// Those of the leaves that may hold the point of the surface that is nearest to some point of the ball.
+  /// Those of the boxes that may hold the point of the surface that is nearest to some point of the ball.
   /// @param kept out, room for n + 16 @return their number  @pre ball.distance > 1.5 ball.radius
-  int (*keep)(const Surface& surface, const Ball& ball, const std::int32_t* leaves, int n,
-              std::int32_t* kept);
+  int (*keep)(const Surface& surface, const Ball& ball, const std::int32_t* boxes, int n, std::int32_t* kept);
   /// The nearest triangle of each node among those of the leaves.
   /// @param scratch 16 floats a leaf, aligned to 64 bytes
   void (*measure)(const Surface& surface, const std::int32_t* leaves, int n, Nodes& nodes, float* scratch);
