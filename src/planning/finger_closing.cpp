@@ -243,11 +243,7 @@ class FingerCloser {
     free_until = infinity;
     if (t == 0.0 || !motion.still()) {
       const double horizon = horizon_of(p, motion, t);
-      const double known = p.kind == Pair::Kind::links ? time_of_bounds(p, motion, t)
-                           : p.kind == Pair::Kind::object && !(p.distance < near)
-                               ? time_of_balls(p, motion, t, horizon)
-                               : 0.0;
-      if (known >= (p.kind == Pair::Kind::links ? 1.0 : balls_look_ahead / look_ahead) * horizon) {
+      if (const double known = time_of_quick_look(p, motion, t, horizon); known > 0.0) {
         free.time = known;
         free_until = t + known;
         p.clearance = std::min(p.clearance, margin());
@@ -288,11 +284,19 @@ class FingerCloser {
     return time_to_close(gap, rate, motion.acceleration);
   }
 
-  /// How long the balls about the link tell that it is free of the object; 0 where that is not for long.
-  double time_of_balls(const Pair& p, const SurfaceMotion& motion, double t, double horizon) {
-    return surface(p.link).cover.free_time(model_.object_field(), motion_.pose(p.link, t), motion, margin(),
-                                           balls_horizons * horizon,
-                                           horizon * (balls_look_ahead / look_ahead));
+  /// For how long balls about the surfaces tell that the pair is free, at little cost; 0 where that is too
+  /// short a time to spare a look at the surfaces.
+  double time_of_quick_look(const Pair& p, const SurfaceMotion& motion, double t, double horizon) {
+    double known = 0.0;
+    double least = horizon;
+    if (p.kind == Pair::Kind::links) {
+      known = time_of_bounds(p, motion, t);
+    } else if (p.kind == Pair::Kind::object && !(p.distance < near)) {
+      least = horizon * (balls_look_ahead / look_ahead);
+      known = surface(p.link).cover.free_time(model_.object_field(), motion_.pose(p.link, t), motion,
+                                              margin(), balls_horizons * horizon, least);
+    }
+    return known >= least ? known : 0.0;
   }
 
   FreeTime time_of_surfaces(Pair& p, const SurfaceMotion& motion, double t, double horizon, double touching) {

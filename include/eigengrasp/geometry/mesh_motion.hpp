@@ -54,9 +54,10 @@ class SeparationFront {
   /// @param field of surface a, which then is at rest, or empty: saves much of the search
   /// @param touching where the triangles that limited the last time are at most so far apart [m], the search
   /// ends with them: their distance is right then, the time is not a bound, and nothing else is changed
-  /// @pre the surfaces and the field are those of the first look; now is not less than at the last look and
-  /// not more than free_until() was after it; no joint has begun or quickened its motion since the first
-  /// look, and the acceleration holds for all that is to come. Cost: 1-20 us, the first look 1-100 us.
+  /// @pre the surfaces and the field are those of the first look; now is not less than at the last look; up
+  /// to now they stayed farther apart than the margin, by free_until() or as is known otherwise; no joint has
+  /// begun or quickened its motion since the first look, and the acceleration holds for all that is to come.
+  /// Cost: 1-20 us, the first look 1-100 us.
   FreeTime look(const MeshBvh& a, const MeshBvh& b, const Pose& X_AB, const SurfaceMotion& motion, double now,
                 double margin, double horizon, const DistanceField& field = {}, double touching = -1.0);
 
