@@ -7,7 +7,7 @@ import subprocess
 import support
 from store_support import StoreTest, free_ports, postgres_programs, query
 
-WORK = ['--hands', 'barrett-rubber', '--grasps', '5', '--states', '20000', '--time-limit', '20s']
+WORK = ['--hands', 'barrett-rubber', '--grasps', '20', '--states', '20000', '--time-limit', '20s']
 SCALES = ['--scales', '0.75,1,1.25']
 BOXES = ((40, 80, 60), (30, 30, 120), (25, 70, 70), (35, 50, 90), (45, 45, 45), (20, 60, 110), (50, 60, 70), (30, 40, 50))
 
