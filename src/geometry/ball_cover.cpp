@@ -6,7 +6,7 @@
 #include <array>
 #include <limits>
 
-#include "eigengrasp/core/instruction_set.hpp"
+#include "core/variants.hpp"
 #include "geometry/kernel/ball_looks.hpp"
 #include "geometry/triangle_pieces.hpp"
 
@@ -19,20 +19,10 @@ using kernel::n_lanes;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t most_joints = 32;
-constexpr double rounding = 3e-6;  // [m] more than single precision may be off, within a metre or two
 
-const ball_kernel::Functions& chosen_functions() {
-#if defined(__x86_64__)
-  switch (best_instruction_set()) {
-    case InstructionSet::avx512:
-      return ball_kernel::avx512_functions;
-    case InstructionSet::avx2:
-      return ball_kernel::avx2_functions;
-    case InstructionSet::baseline:
-      break;
-  }
-#endif
-  return ball_kernel::baseline_functions;
+/// More than single precision may be off in the space that a field covers [m].
+double rounding_in(const DistanceField& field) {
+  return std::max(3e-6, 1e-6 * field.scale() * field.coarse().box().diagonal());
 }
 
 /// Makes spheres larger until they hold a surface: what none holds is halved until the nearest can hold it.
@@ -189,10 +179,10 @@ double BallCover::free_time(const DistanceField& field, const Pose& X_FB, const 
     }
   m.joints = joints.data();
   m.n = static_cast<int>(motion.of_b.size());
-  m.margin = static_cast<float>(margin + rounding);
+  m.margin = static_cast<float>(margin + rounding_in(field));
   m.acceleration = static_cast<float>(1.000001 * motion.acceleration);
 
-  static const ball_kernel::Functions& functions = chosen_functions();
+  static const ball_kernel::Functions& functions = EIGENGRASP_VARIANT(ball_kernel, best_instruction_set());
   alignas(64) float of_clusters[n_lanes];
   alignas(64) float of_balls[n_lanes];
   double least = infinity;

@@ -4,25 +4,11 @@
 
 #include <algorithm>
 
-#include "eigengrasp/core/instruction_set.hpp"
+#include "core/variants.hpp"
 
 namespace eigengrasp::detail {
 
 namespace {
-
-const box_kernel::Functions& chosen_functions() {
-#if defined(__x86_64__)
-  switch (best_instruction_set()) {
-    case InstructionSet::avx512:
-      return box_kernel::avx512_functions;
-    case InstructionSet::avx2:
-      return box_kernel::avx2_functions;
-    case InstructionSet::baseline:
-      break;
-  }
-#endif
-  return box_kernel::baseline_functions;
-}
 
 box_kernel::Joint joint_of(const Screw& s) {
   box_kernel::Joint joint{};
@@ -43,7 +29,7 @@ double reach(const MeshBvh& bvh) {
 }  // namespace
 
 BoxPairs::BoxPairs(const MeshBvh& a, const MeshBvh& b, const Pose& X_AB)
-    : b_(b), X_AB_(X_AB), functions_(chosen_functions()) {
+    : b_(b), X_AB_(X_AB), functions_(EIGENGRASP_VARIANT(box_kernel, best_instruction_set())) {
   for (int r = 0; r < 3; ++r) {
     for (int c = 0; c < 3; ++c) place_.rotation[r][c] = static_cast<float>(X_AB.linear()(r, c));
     place_.origin[r] = static_cast<float>(X_AB.translation()[r]);

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "eigengrasp/core/instruction_set.hpp"
+#include "core/variants.hpp"
 #include "eigengrasp/core/parallel.hpp"
 #include "geometry/kernel/block_distances.hpp"
 
@@ -24,20 +24,6 @@ using block_kernel::Leaf;
 using block_kernel::LeafBox;
 using block_kernel::Triangle;
 using kernel::n_lanes;
-
-const block_kernel::Functions& chosen_functions() {
-#if defined(__x86_64__)
-  switch (best_instruction_set()) {
-    case InstructionSet::avx512:
-      return block_kernel::avx512_functions;
-    case InstructionSet::avx2:
-      return block_kernel::avx2_functions;
-    case InstructionSet::baseline:
-      break;
-  }
-#endif
-  return block_kernel::baseline_functions;
-}
 
 void put(const Vec3& v, float (&to)[3]) {
   for (int k = 0; k < 3; ++k) to[k] = static_cast<float>(v[k]);
@@ -80,14 +66,17 @@ struct Flattened {
   std::vector<Leaf> leaves;         ///< one a node of the hierarchy
   std::vector<LeafBox> boxes;       ///< as the leaves
   std::vector<std::array<float, 3>> corners;
+  double rounding;  ///< [m] more than single precision may be off
 
   explicit Flattened(const MeshBvh& bvh)
-      : origin(bvh.box().center()), leaves(bvh.nodes().size()), boxes(leaves.size()) {
+      : origin(bvh.box().center()),
+        leaves(bvh.nodes().size()),
+        boxes(leaves.size()),
+        rounding(1e-6 * bvh.box().diagonal()) {
     for (int i = 0; i < bvh.triangle_count(); ++i)
       triangles.push_back(flattened(bvh.corners(bvh.triangle_at(i)), origin));
     for (std::size_t n = 0; n < leaves.size(); ++n) {
       const MeshBvh::Node& node = bvh.nodes()[n];
-      const double rounding = 1e-6 * bvh.box().diagonal();
       put(node.box.min - origin - Vec3::Constant(rounding), boxes[n].min);
       put(node.box.max - origin + Vec3::Constant(rounding), boxes[n].max);
       leaves[n] = {static_cast<int>(corners.size()), 0, node.left, node.count, 0.0F};
@@ -98,7 +87,7 @@ struct Flattened {
 
   block_kernel::Surface view() const {
     return {triangles.data(), reinterpret_cast<const float(*)[3]>(corners.data()), leaves.data(),
-            boxes.data()};
+            boxes.data(), static_cast<float>(std::max(2e-6, rounding))};
   }
 
  private:
@@ -117,54 +106,37 @@ struct Flattened {
   }
 };
 
-/// Tells which boxes may hold the point of the surface that is nearest to some point within `radius` of
-/// `center`, given one point q of the surface.
-class NearnessTest {
+/// Points within `radius` of `center`, and one point q of the surface: what tells which boxes may hold the
+/// point of the surface that is nearest to one of them.
+class Nearness {
  public:
-  NearnessTest(const Vec3& center, double radius, const Vec3& q) : center_(center), radius_(radius) {
-    const Vec3 d = center - q;
-    distance_ = d.norm();
-    const double bound = distance_ + 2.0 * radius;
-    bound2_ = bound * bound;
-    far_ = distance_ > 1.5 * radius;
-    if (!far_) return;
-    direction_ = d / distance_;
-    slack_ = radius * radius / (2.0 * (distance_ - radius));
-  }
+  Nearness(const Vec3& center, double radius, const Vec3& q)
+      : center_(center), radius_(radius), from_q_(center - q), distance_(from_q_.norm()) {}
 
-  /// Whether the nearest point is so far that the test is sharp.
-  bool far() const { return far_; }
-  /// The same test in single precision. @param origin of the centre  @pre far()
+  /// Whether q is so far that directions tell.
+  bool far() const { return distance_ > 1.5 * radius_; }
+  /// As the kernel asks. @param origin of all places there  @pre far()
   block_kernel::Ball in_lanes(const Vec3& origin) const {
     block_kernel::Ball ball{};
     put(center_ - origin, ball.center);
-    put(direction_, ball.direction);
+    put(from_q_ / distance_, ball.direction);
     ball.radius = static_cast<float>(radius_);
     ball.distance = static_cast<float>(distance_);
-    ball.slack = static_cast<float>(slack_);
+    ball.slack = static_cast<float>(radius_ * radius_ / (2.0 * (distance_ - radius_)));
     return ball;
   }
 
-  // At y from the centre, the point q is at most distance + direction . y + slack away, and a convex body
-  // whose point nearest to the centre is d away in direction n is at least d + n . y away.
+  /// By distances alone.
   bool may_hold(const Box& box) const {
-    const Vec3 v = center_ - center_.cwiseMax(box.min).cwiseMin(box.max);
-    const double d2 = v.squaredNorm();
-    if (d2 > bound2_) return false;
-    if (!far_ || d2 <= distance_ * distance_) return true;
-    const double d = std::sqrt(d2);
-    const double lead = d - distance_ - slack_;
-    return lead <= 0.0 || lead * lead * d <= 2.0 * radius_ * radius_ * (d - v.dot(direction_)) + 1e-18;
+    const double bound = distance_ + 2.0 * radius_;
+    return (center_ - center_.cwiseMax(box.min).cwiseMin(box.max)).squaredNorm() <= bound * bound;
   }
 
  private:
   Vec3 center_;
   double radius_;
-  double distance_ = 0.0;
-  double bound2_ = 0.0;
-  bool far_ = false;
-  Vec3 direction_ = Vec3::Zero();
-  double slack_ = 0.0;
+  Vec3 from_q_;
+  double distance_;
 };
 
 class BlockFill {
@@ -192,8 +164,8 @@ class BlockFill {
     const double radius = half.norm() * (1.0 + 1e-9);
     const Vec3 near =
         size.x() == 8 ? nearest_to(center, guess) : closest_point_on_triangle(bvh_.corners(guess), center);
-    const NearnessTest test(center, radius, near);
-    keep(test, begin, end, size.x() == 8 ? radius : 0.0);
+    const Nearness nearness(center, radius, near);
+    keep(nearness, begin, end, size.x() == 8 ? radius : 0.0);
     if (smallest) {
       guess = measure_block(first, end, guess);
     } else {
@@ -216,12 +188,13 @@ class BlockFill {
     return nearer.point;
   }
 
-  /// Adds the parts of [begin, end) that pass the test, opened until none is larger than `largest`.
-  void keep(const NearnessTest& test, std::size_t begin, std::size_t end, double largest) {
+  /// Adds the parts of [begin, end) that may hold the nearest point, opened until none is larger than
+  /// `largest`.
+  void keep(const Nearness& nearness, std::size_t begin, std::size_t end, double largest) {
     open_.assign(parts_.begin() + static_cast<std::ptrdiff_t>(begin),
                  parts_.begin() + static_cast<std::ptrdiff_t>(end));
     while (!open_.empty()) {
-      sift(test);
+      sift(nearness);
       open_.clear();
       for (const std::int32_t part : kept_) {
         const MeshBvh::Node& node = bvh_.nodes()[static_cast<std::size_t>(part)];
@@ -235,16 +208,16 @@ class BlockFill {
     }
   }
 
-  /// Those of open_ that pass the test, to kept_.
-  void sift(const NearnessTest& test) {
+  /// Those of open_ that may, to kept_.
+  void sift(const Nearness& nearness) {
     kept_.resize(open_.size() + n_lanes);
     int n = 0;
-    if (test.far()) {
-      n = functions_.keep(surface_.view(), test.in_lanes(surface_.origin), open_.data(),
+    if (nearness.far()) {
+      n = functions_.keep(surface_.view(), nearness.in_lanes(surface_.origin), open_.data(),
                           static_cast<int>(open_.size()), kept_.data());
     } else {
       for (const std::int32_t part : open_)
-        if (test.may_hold(bvh_.nodes()[static_cast<std::size_t>(part)].box))
+        if (nearness.may_hold(bvh_.nodes()[static_cast<std::size_t>(part)].box))
           kept_[static_cast<std::size_t>(n++)] = part;
     }
     kept_.resize(static_cast<std::size_t>(n));
@@ -295,7 +268,7 @@ class BlockFill {
   const MeshBvh& bvh_;
   const Flattened& surface_;
   FieldGrid& grid_;
-  const block_kernel::Functions& functions_ = chosen_functions();
+  const block_kernel::Functions& functions_ = EIGENGRASP_VARIANT(block_kernel, best_instruction_set());
   std::vector<std::int32_t> parts_;  ///< a stack of lists, one a level
   std::vector<std::int32_t> open_, kept_;
   std::vector<Lanes> scratch_;  ///< one a leaf of the smallest block

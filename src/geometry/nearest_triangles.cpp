@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "eigengrasp/core/instruction_set.hpp"
+#include "core/variants.hpp"
 #include "geometry/kernel/point_looks.hpp"
 
 namespace eigengrasp::detail {
@@ -12,20 +12,6 @@ namespace eigengrasp::detail {
 namespace {
 
 static_assert(most_points == kernel::n_lanes);
-
-const point_kernel::Functions& chosen_functions() {
-#if defined(__x86_64__)
-  switch (best_instruction_set()) {
-    case InstructionSet::avx512:
-      return point_kernel::avx512_functions;
-    case InstructionSet::avx2:
-      return point_kernel::avx2_functions;
-    case InstructionSet::baseline:
-      break;
-  }
-#endif
-  return point_kernel::baseline_functions;
-}
 
 void put(const Vec3& p, float* to) {
   for (int k = 0; k < 3; ++k) to[k] = static_cast<float>(p[k]);
@@ -40,7 +26,7 @@ double squared_distance(const Box& box, const Vec3& p) {
 std::array<int, most_points> find_nearest_triangles(const MeshBvh& bvh, const Vec3& about,
                                                     const std::array<Vec3, most_points>& points,
                                                     double max_distance) {
-  static const point_kernel::Functions& functions = chosen_functions();
+  static const point_kernel::Functions& functions = EIGENGRASP_VARIANT(point_kernel, best_instruction_set());
   point_kernel::Points p{};
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vec3 d = points[i] - about;

@@ -2,34 +2,12 @@
 // SPDX-FileCopyrightText: The eigengrasp authors
 #include "eigengrasp/planning/state_evaluator.hpp"
 
-#include <stdexcept>
-
+#include "core/variants.hpp"
 #include "planning/kernel_workspace.hpp"
 #include "planning/lane_state.hpp"
 #include "planning/state_program.hpp"
 
 namespace eigengrasp {
-
-namespace {
-
-const kernel::Functions& functions_for(InstructionSet set) {
-  switch (set) {
-    case InstructionSet::baseline:
-      return kernel::baseline_functions;
-#if defined(__x86_64__)
-    case InstructionSet::avx2:
-      return kernel::avx2_functions;
-    case InstructionSet::avx512:
-      return kernel::avx512_functions;
-#else
-    default:
-      return kernel::baseline_functions;
-#endif
-  }
-  throw std::logic_error("unknown instruction set");
-}
-
-}  // namespace
 
 struct StateEvaluator::Storage {
   StateProgram program;
@@ -37,7 +15,7 @@ struct StateEvaluator::Storage {
 
 StateEvaluator::StateEvaluator(const CollisionModel& model, const EigengraspSpace& postures, double alpha,
                                InstructionSet instructions)
-    : storage_(new Storage{{model, postures, alpha}}), functions_(&functions_for(instructions)) {
+    : storage_(new Storage{{model, postures, alpha}}), functions_(&EIGENGRASP_VARIANT(kernel, instructions)) {
   storage_->program.add_posture_grid(postures, *functions_, model.options().threads);
 }
 

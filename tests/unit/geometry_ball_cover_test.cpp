@@ -7,19 +7,20 @@
 
 #include <cstring>
 
-#include "eigengrasp/core/instruction_set.hpp"
+#include "core/variants.hpp"
 #include "geometry/kernel/ball_looks.hpp"
 #include "support/gripper.hpp"
+#include "support/moving_chain.hpp"
 #include "support/solid_shapes.hpp"
 
 namespace eigengrasp {
 namespace {
 
-using testing::any_point;
+using testing::any_chain;
 using testing::any_pose;
 using testing::ball_mesh;
 using testing::box_mesh;
-using testing::random_direction;
+using testing::Chain;
 using testing::torus_mesh;
 
 constexpr double margin = 0.00005;
@@ -62,43 +63,6 @@ TEST(BallCover, HoldsLooseSheetsThatTheSpheresMiss) {
   EXPECT_TRUE(BallCover(grow_to_hold(MeshBvh(mesh), {})).empty());
 }
 
-/// Two joints; the outer one is carried along by the inner one.
-struct Arm {
-  Vec3 axes[2];
-  Vec3 points[2];
-  double rates[2];
-
-  Pose at(double t, double t_outer) const { return turned(0, t) * turned(1, t_outer); }
-  std::vector<Screw> screws() const {
-    std::vector<Screw> result;
-    for (int j = 0; j < 2; ++j) result.push_back({rates[j] * axes[j], points[j].cross(rates[j] * axes[j])});
-    return result;
-  }
-  double acceleration(double reach) const {
-    const double a = std::abs(rates[0]);
-    const double b = std::abs(rates[1]);
-    return reach * (a * a + b * (b + 2.0 * a));
-  }
-
- private:
-  Pose turned(int j, double t) const {
-    Pose X = Pose::Identity();
-    X.linear() = Eigen::AngleAxisd(rates[j] * t, axes[j]).toRotationMatrix();
-    X.translation() = points[j] - X.linear() * points[j];
-    return X;
-  }
-};
-
-Arm any_arm(RandomStream& random, const Box& box) {
-  Arm arm;
-  for (int j = 0; j < 2; ++j) {
-    arm.axes[j] = random_direction(random);
-    arm.points[j] = any_point(random, box, 0.05);
-    arm.rates[j] = random.uniform(-1.0, 1.0);
-  }
-  return arm;
-}
-
 TEST(BallCover, NothingComesNearerThanTheMarginVsExactDistances) {
   RandomStream random{41};
   const TriangleMesh link = box_mesh({0.02, 0.05, 0.015});
@@ -112,7 +76,7 @@ TEST(BallCover, NothingComesNearerThanTheMarginVsExactDistances) {
     const MeshBvh a(torus);
     for (int i = 0; i < 100; ++i) {
       const Pose X_AB = any_pose(random, i % 4 == 0 ? 0.5 : 0.1);
-      const Arm arm = any_arm(random, a.box());
+      const Chain arm = any_chain(random, a.box());
       const auto screws = arm.screws();
       const double time = cover.free_time(field, X_AB, {{}, screws, arm.acceleration(1.2)}, margin, 0.5);
       const double distance = closest_pair(a, b, X_AB).distance;
@@ -161,7 +125,6 @@ TEST(BallCover, EndsEarlyWhereTheTimeIsTooShortOrLongEnough) {
   EXPECT_EQ(BallCover().free_time(field, X, motion, 0.0, 10.0), 0.0);
 }
 
-#if defined(__x86_64__)
 TEST(BallCover, AllInstructionSetsGiveTheSameBits) {
   RandomStream random{43};
   const DistanceField field(MeshBvh(torus_mesh(0.03, 0.01, 24)));
@@ -207,15 +170,12 @@ TEST(BallCover, AllInstructionSetsGiveTheSameBits) {
     ball_kernel::baseline_functions.times(motion, balls, expected);
     for (const InstructionSet set : available_instruction_sets()) {
       if (set == InstructionSet::baseline) continue;
-      const auto& functions =
-          set == InstructionSet::avx2 ? ball_kernel::avx2_functions : ball_kernel::avx512_functions;
       alignas(64) float found[kernel::n_lanes];
-      functions.times(motion, balls, found);
+      EIGENGRASP_VARIANT(ball_kernel, set).times(motion, balls, found);
       EXPECT_EQ(std::memcmp(found, expected, sizeof found), 0) << i;
     }
   }
 }
-#endif
 
 }  // namespace
 }  // namespace eigengrasp

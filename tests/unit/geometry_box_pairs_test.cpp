@@ -7,7 +7,7 @@
 
 #include <cstring>
 
-#include "eigengrasp/core/instruction_set.hpp"
+#include "core/variants.hpp"
 #include "geometry/box_descent.hpp"
 #include "support/gripper.hpp"
 #include "support/solid_shapes.hpp"
@@ -87,7 +87,6 @@ TEST(BoxPairs, GapsAndTimesAreLowerBoundsVsExactDistances) {
   EXPECT_GT(apart, 200);
 }
 
-#if defined(__x86_64__)
 TEST(BoxPairs, AllInstructionSetsGiveTheSameBits) {
   RandomStream random{22};
   box_kernel::Placement place{};
@@ -127,8 +126,7 @@ TEST(BoxPairs, AllInstructionSetsGiveTheSameBits) {
     box_kernel::baseline_functions.times(place, motion, expected);
     for (const InstructionSet set : available_instruction_sets()) {
       if (set == InstructionSet::baseline) continue;
-      const auto& functions =
-          set == InstructionSet::avx2 ? box_kernel::avx2_functions : box_kernel::avx512_functions;
+      const auto& functions = EIGENGRASP_VARIANT(box_kernel, set);
       box_kernel::Pairs found = pairs;
       functions.times(place, motion, found);
       EXPECT_EQ(std::memcmp(found.gap, expected.gap, sizeof found.gap), 0) << i;
@@ -138,7 +136,6 @@ TEST(BoxPairs, AllInstructionSetsGiveTheSameBits) {
     }
   }
 }
-#endif
 
 }  // namespace
 }  // namespace eigengrasp

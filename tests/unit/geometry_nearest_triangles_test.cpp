@@ -7,7 +7,7 @@
 
 #include <cstring>
 
-#include "eigengrasp/core/instruction_set.hpp"
+#include "core/variants.hpp"
 #include "geometry/kernel/block_distances.hpp"
 #include "geometry/kernel/point_looks.hpp"
 #include "support/gripper.hpp"
@@ -64,7 +64,6 @@ TEST(NearestTriangles, ThereAreNoneOfAnEmptySurface) {
   for (const int t : detail::find_nearest_triangles(MeshBvh(), Vec3::Zero(), points, 1.0)) EXPECT_EQ(t, -1);
 }
 
-#if defined(__x86_64__)
 void fill(RandomStream& random, float* values, std::size_t n, double reach) {
   for (std::size_t k = 0; k < n; ++k) values[k] = static_cast<float>(random.uniform(-reach, reach));
 }
@@ -85,8 +84,7 @@ TEST(NearestTriangles, AllInstructionSetsGiveTheSameBits) {
     point_kernel::baseline_functions.meet_triangle(expected, corners, 7);
     for (const InstructionSet set : available_instruction_sets()) {
       if (set == InstructionSet::baseline) continue;
-      const auto& functions =
-          set == InstructionSet::avx2 ? point_kernel::avx2_functions : point_kernel::avx512_functions;
+      const auto& functions = EIGENGRASP_VARIANT(point_kernel, set);
       point_kernel::Points found = points;
       EXPECT_EQ(functions.reach_box(found, box), point_kernel::baseline_functions.reach_box(points, box));
       functions.meet_triangle(found, corners, 7);
@@ -113,7 +111,7 @@ TEST(GridDistances, AllInstructionSetsGiveTheSameBits) {
         boxes[static_cast<std::size_t>(k)].max[r] = boxes[static_cast<std::size_t>(k)].min[r] + 0.01f;
     }
     const Surface surface{triangles.data(), reinterpret_cast<const float(*)[3]>(corners.data()),
-                          leaves.data(), boxes.data()};
+                          leaves.data(), boxes.data(), 2e-6f};
     Ball ball{};
     fill(random, ball.center, 3, 0.05);
     ball.radius = 0.003f;
@@ -136,7 +134,7 @@ TEST(GridDistances, AllInstructionSetsGiveTheSameBits) {
     baseline_functions.measure(surface, all.data(), n, expected, lanes);
     for (const InstructionSet set : available_instruction_sets()) {
       if (set == InstructionSet::baseline) continue;
-      const auto& functions = set == InstructionSet::avx2 ? avx2_functions : avx512_functions;
+      const auto& functions = EIGENGRASP_VARIANT(block_kernel, set);
       std::vector<std::int32_t> found(n_leaves + kernel::n_lanes);
       ASSERT_EQ(functions.keep(surface, ball, all.data(), n, found.data()), n_kept);
       EXPECT_TRUE(std::equal(kept.begin(), kept.begin() + n_kept, found.begin()));
@@ -146,7 +144,6 @@ TEST(GridDistances, AllInstructionSetsGiveTheSameBits) {
     }
   }
 }
-#endif
 
 }  // namespace
 }  // namespace eigengrasp

@@ -52,6 +52,7 @@ struct Surface {
   const float (*corners)[3];
   const Leaf* leaves;
   const LeafBox* boxes;  ///< one a leaf
+  float rounding;        ///< [m] more than single precision may be off
 };
 
 struct alignas(64) Nodes {

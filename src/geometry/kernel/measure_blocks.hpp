@@ -16,31 +16,30 @@ using kernel::Vector;
 /// A convex body whose point nearest to the centre is d away in direction n is at least d + n . y away from a
 /// point at y from the centre.
 template <class B>
-int keep(const Surface& surface, const Ball& ball, const std::int32_t* leaves, int n, std::int32_t* kept) {
+int keep(const Surface& surface, const Ball& ball, const std::int32_t* boxes, int n, std::int32_t* kept) {
   using F = Floats<B>;
   static_assert(sizeof(LeafBox) == 6 * sizeof(float));
-  constexpr float rounding = 2e-6f;  // [m] more than single precision may be off
-  const float* const boxes = surface.boxes[0].min;
+  const float* const corners = surface.boxes[0].min;
   const F zero(0.0f);
-  const float bound = (ball.distance + 2.0f * ball.radius) * 1.00001f + rounding;
+  const float bound = (ball.distance + 2.0f * ball.radius) * 1.00001f + surface.rounding;
   int n_kept = 0;
   for (int first = 0; first < n; first += n_lanes) {
     const int here = n - first < n_lanes ? n - first : n_lanes;
-    alignas(64) std::int32_t leaf[n_lanes];
-    for (int l = 0; l < n_lanes; ++l) leaf[l] = leaves[first + (l < here ? l : 0)];
-    const kernel::Ints<B> at = kernel::load_ints<B>(leaf) * kernel::Ints<B>(6);
+    alignas(64) std::int32_t box[n_lanes];
+    for (int l = 0; l < n_lanes; ++l) box[l] = boxes[first + (l < here ? l : 0)];
+    const kernel::Ints<B> at = kernel::load_ints<B>(box) * kernel::Ints<B>(6);
     const auto off = [&](int k) {  // from the nearest point of the box to the centre
       const F c(ball.center[k]);
-      return c - min(max(c, kernel::gather<B>(boxes + k, at)), kernel::gather<B>(boxes + 3 + k, at));
+      return c - min(max(c, kernel::gather<B>(corners + k, at)), kernel::gather<B>(corners + 3 + k, at));
     };
     const Vector<B> v{off(0), off(1), off(2)};
     const F d2 = dot(v, v);
     const F d = sqrt(d2);
-    const F lead = d - F(ball.distance + ball.slack + rounding);
+    const F lead = d - F(ball.distance + ball.slack + surface.rounding);
     const F turned = max(d - dot(v, splat<B>(ball.direction)), zero) + F(1e-5f) * d;
     const Mask<B> may = (lead <= zero) | (lead * lead * d <= F(2.0f * ball.radius * ball.radius) * turned);
     std::uint32_t lanes = bits(may & (d <= F(bound))) & (here < n_lanes ? (1u << here) - 1 : 0xffffu);
-    for (; lanes != 0; lanes &= lanes - 1) kept[n_kept++] = leaf[__builtin_ctz(lanes)];
+    for (; lanes != 0; lanes &= lanes - 1) kept[n_kept++] = box[__builtin_ctz(lanes)];
   }
   return n_kept;
 }
