@@ -77,7 +77,7 @@ class Build {
   void work(int thread);
   void build_object(const std::vector<UnitKey>& keys, const std::string& worker);
   std::optional<UnitResult> build_unit(const UnitKey& key, std::unique_ptr<PreparedObject>& object);
-  void count(const UnitResult& result, bool stored);
+  void count(const UnitResult& result);
   bool stopped() const { return options_.stop != nullptr && options_.stop->stop_requested(); }
   /// A unit takes no more than its time limit and the preparation of its object.
   double lease_seconds() const {
@@ -113,14 +113,14 @@ void Build::require_hands() {
   }
 }
 
-void Build::count(const UnitResult& result, bool stored) {
+/// Of what was stored. A unit that two have worked out, as after a crash of the server that forgot a claim,
+/// is stored once.
+void Build::count(const UnitResult& result) {
   const std::scoped_lock lock(counting_);
   ++progress_.ended;
-  if (stored) {
-    ++progress_.ended_now;
-    progress_.grasps_now += static_cast<std::int64_t>(result.grasps.size());
-    if (result.state == UnitState::failed) ++progress_.failed_now;
-  }
+  ++progress_.ended_now;
+  progress_.grasps_now += static_cast<std::int64_t>(result.grasps.size());
+  if (result.state == UnitState::failed) ++progress_.failed_now;
   progress_.seconds = watch_.seconds();
   if (options_.progress) options_.progress(progress_);
 }
@@ -160,7 +160,7 @@ void Build::build_object(const std::vector<UnitKey>& keys, const std::string& wo
       continue;
     }
     result->worker = worker;
-    count(*result, store_.finish_unit(*result));
+    if (store_.finish_unit(*result)) count(*result);
   }
 }
 
@@ -201,6 +201,8 @@ BuildReport Build::run() {
   const int jobs = options_.jobs > 0 ? options_.jobs : hardware_threads();
   parallel_for(static_cast<std::size_t>(jobs), jobs, [&](std::size_t i, int) { work(static_cast<int>(i)); });
   progress_.seconds = watch_.seconds();
+  const StoreCounts counts = store_.counts();  // with what others have ended
+  progress_.ended = counts.done + counts.failed;
   return {progress_, stopped()};
 }
 
